@@ -9,8 +9,6 @@
 namespace blocks::sweep {
 namespace {
 
-constexpr std::uint64_t largest_seed = 9007199254740991ULL;  // 2^53 - 1
-
 std::string trimmed(const std::string& text) {
   const auto begin = text.find_first_not_of(" \t\r");
   return begin == std::string::npos

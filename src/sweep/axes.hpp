@@ -11,6 +11,7 @@ namespace blocks::sweep {
 
 /// The largest number of runs of one sweep.
 constexpr std::size_t most_runs = 1'000'000;
+constexpr std::uint64_t largest_seed = 9007199254740991ULL;  // 2^53 - 1
 
 /// A parameter that is not written as it must be; `hint` says what to do next.
 struct AxisFault : std::runtime_error {

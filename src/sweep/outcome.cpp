@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
@@ -17,6 +19,8 @@ namespace blocks::sweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::int64_t largest_code = 255;  // of a process
 
 std::string path_of(const std::string& run_folder) {
   return run_folder + "/outcome.json";
@@ -56,7 +60,10 @@ std::optional<Outcome> read_outcome(const std::string& run_folder) {
     return std::nullopt;
   try {
     Json json = Json::parse(in);
-    Outcome outcome{json.at("code"), json.at("status"), json.at("message")};
+    const auto code = json.at("code").get<std::int64_t>();
+    if (code < 0 || code > largest_code || !json.at("code").is_number_integer())
+      throw std::runtime_error("no exit code");
+    Outcome outcome{static_cast<int>(code), json.at("status"), json.at("message")};
     for (const char* key : {"code", "status", "message"})
       json.erase(key);
     outcome.measured = std::move(json);

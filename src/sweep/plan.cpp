@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "output/file_tools.hpp"
@@ -31,12 +33,25 @@ Json json_of(const Variation& run, std::size_t id) {
   return json;
 }
 
-Variation variation_of(const Json& json) {
+/// Returns a whole number from 0 to `most`. Throws std::runtime_error.
+std::uint64_t whole_number(const Json& json, const char* key, std::uint64_t most) {
+  const Json& value = json.at(key);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most)
+    throw std::runtime_error(fmt::format(
+        "\"{}\" is {}, not a whole number from 0 to {}", key, value.dump(), most));
+  return value.get<std::uint64_t>();
+}
+
+Variation variation_of(const Json& json, Kind kind) {
   Variation run;
   if (json.contains("seed"))
-    run.seed = json.at("seed").get<std::uint64_t>();
+    run.seed = whole_number(json, "seed", largest_seed);
   if (json.contains("set"))
     run.sets = json.at("set").get<std::vector<std::string>>();
+  if (kind != Kind::study)
+    for (const std::string& set : run.sets)
+      if (!deck::parse_override(set))
+        throw std::runtime_error(fmt::format("\"{}\" is not CARD.field=value", set));
   return run;
 }
 
@@ -55,14 +70,23 @@ Plan plan_of(const Json& head) {
     throw std::runtime_error("another version of BLOCKS wrote it");
   Plan plan;
   head.at("kind").get_to(plan.kind);
+  if (Json(plan.kind) != head.at("kind"))
+    throw std::runtime_error("there is no kind " + head.at("kind").dump());
   head.at("deck").get_to(plan.deck);
   head.at("deck_hash").get_to(plan.deck_hash);
   head.at("version").get_to(plan.version);
   head.at("numerics").get_to(plan.numerics);
   head.at("name").get_to(plan.name);
+  // The runs write files of this name in their folders.
+  if (plan.name.find('/') != std::string::npos)
+    throw std::runtime_error("\"name\" is " + head.at("name").dump() +
+                             ", which has a slash");
   if (!head.at("until").is_null())
     plan.until = head.at("until").get<double>();
-  head.at("audit").get_to(plan.audit_every);
+  if (plan.until && !(*plan.until > 0.0 && std::isfinite(*plan.until)))
+    throw std::runtime_error("\"until\" is " + head.at("until").dump());
+  plan.audit_every =
+      static_cast<long>(whole_number(head, "audit", std::numeric_limits<int>::max()));
   head.at("variants").get_to(plan.variants);
   head.at("axes").get_to(plan.axes);
   return plan;
@@ -78,7 +102,7 @@ Plan read_lines(std::istream& in) {
     throw std::runtime_error("its first line is damaged");
   const Json head = Json::parse(line.substr(0, line.size() - end.size()) + "}");
   Plan plan = plan_of(head);
-  const auto number = head.at("number").get<std::size_t>();
+  const std::size_t number = whole_number(head, "number", most_runs);
   plan.runs.reserve(number);
   while (std::getline(in, line) && line != "]}") {
     if (line.ends_with(','))
@@ -87,7 +111,7 @@ Plan read_lines(std::istream& in) {
     if (run.at("id") != plan.runs.size() + 1)
       throw std::runtime_error(
           fmt::format("run {} is not in its place", plan.runs.size() + 1));
-    plan.runs.push_back(variation_of(run));
+    plan.runs.push_back(variation_of(run, plan.kind));
   }
   if (line != "]}" || plan.runs.size() != number)
     throw std::runtime_error(

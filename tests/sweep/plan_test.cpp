@@ -90,6 +90,34 @@ TEST_F(PlanTest, EveryDamagedPlanIsRefused) {
   EXPECT_THAT(fault_of_reading(), HasSubstr("run 2 is not in its place"));
 }
 
+TEST_F(PlanTest, ForgedValuesAreRefused) {
+  write_plan(folder_, some_plan());
+  const std::string whole = text();
+  const auto fault = [&](const std::string& before, const std::string& after) {
+    std::string forged = whole;
+    EXPECT_NE(whole.find(before), std::string::npos) << before;
+    write_text(forged.replace(forged.find(before), before.size(), after));
+    return fault_of_reading();
+  };
+  for (const char* name : {"../../X", "/X", "a/b"})
+    EXPECT_THAT(fault("\"name\":\"tunnel\"", "\"name\":\"" + std::string(name) + '"'),
+                HasSubstr("which has a slash"));
+  EXPECT_THAT(fault("\"kind\":\"run\"", "\"kind\":\"zzz\""),
+              HasSubstr("there is no kind \"zzz\""));
+  for (const char* number : {"-1", "1e300", "1000001", "18446744073709551615", "0.5"}) {
+    EXPECT_THAT(fault("\"number\":6", std::string("\"number\":") + number),
+                HasSubstr("not a whole number"));
+    EXPECT_THAT(fault("\"seed\":2", std::string("\"seed\":") + number + "e300"),
+                HasSubstr("cannot read"));
+  }
+  for (const char* number : {"-1", "9007199254740992", "\"2\""})
+    EXPECT_THAT(fault("\"seed\":2", std::string("\"seed\":") + number),
+                HasSubstr("not a whole number"));
+  EXPECT_THAT(fault("\"audit\":0", "\"audit\":-1"), HasSubstr("not a whole number"));
+  EXPECT_THAT(fault("\"until\":0.1", "\"until\":-1"), HasSubstr("\"until\" is -1"));
+  EXPECT_THAT(fault("FRICTN.fric=.3", "FRICTN"), HasSubstr("is not CARD.field=value"));
+}
+
 TEST_F(PlanTest, AFolderWithoutPlanIsToldSo) {
   EXPECT_FALSE(has_plan(folder_));
   EXPECT_THAT(fault_of_reading(), HasSubstr("is not the folder of a sweep"));
