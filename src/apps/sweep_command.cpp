@@ -4,10 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
+#include <memory>
+#include <thread>
 
 #include "fault.hpp"
 #include "option_checks.hpp"
+#include "output/file_tools.hpp"
+#include "output/name_lock.hpp"
 #include "output/results.hpp"
 #include "run/run.hpp"
 #include "run/shell_word.hpp"
@@ -40,9 +45,27 @@ std::string default_folder(const std::string& deck) {
   return fs::path(deck).stem().string() + ".sweep";
 }
 
+/// Locks the plan of a folder. If another sweep has begun there, waits until its plan
+/// is written. Throws output::FileError, which names its process.
+std::unique_ptr<output::NameLock> lock_plan(const std::string& folder) {
+  using namespace std::chrono_literals;
+  const std::string path = sweep::plan_path(folder);
+  output::create_folder_of(path);
+  for (int tries = 0;; ++tries) {
+    try {
+      return std::make_unique<output::NameLock>(path, path);
+    } catch (const output::FileError&) {
+      if (tries == 20)
+        throw;
+    }
+    std::this_thread::sleep_for(50ms);
+  }
+}
+
 /// Writes the plan of a new sweep, unless the folder has the same one already.
 void write_new_plan(const std::string& folder, const sweep::Plan& plan) {
   std::error_code ignored;
+  const auto lock = sweep::has_plan(folder) ? nullptr : lock_plan(folder);
   if (sweep::has_plan(folder)) {
     const std::string other = sweep::difference(sweep::read_plan(folder), plan);
     if (!other.empty())

@@ -4,11 +4,15 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <deque>
 #include <list>
+#include <thread>
+#include <vector>
 
 #include "run/run.hpp"
+#include "sweep/outcome.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/signal_watch.hpp"
 #include "sweep/worker.hpp"
@@ -34,7 +38,7 @@ class LocalEngine {
     while (true) {
       pass_on_signals();
       start_workers();
-      if (workers_.empty())
+      if (workers_.empty() && !take_over())
         break;
       wait();
       if (progress_.is_due())
@@ -48,6 +52,7 @@ class LocalEngine {
                                       })));
     }
     progress_.clear();
+    result_.elsewhere = elsewhere_.size();
     result_.signal = signals_.signal();
     return result_;
   }
@@ -112,11 +117,29 @@ class LocalEngine {
       ++finished_;
       failed_ += end.code == run::done ? 0 : 1;
     } else if (end.what == What::elsewhere) {
-      ++result_.elsewhere;
+      if (has_outcome(run_folder(folder_, id)))
+        ++finished_;
+      else
+        elsewhere_.push_back(id);
     } else if (end.what == What::not_written && !result_.not_written) {
       result_.not_written = id;
       result_.message = end.message;
     }
+  }
+
+  /// Tries the runs again that were at work elsewhere. They may belong to a killed
+  /// sweep and stop at their next checkpoint. Returns false if there are none, or they
+  /// have been tried for some seconds.
+  bool take_over() {
+    using namespace std::chrono_literals;
+    constexpr auto pause = 100ms;
+    constexpr int most_tries = 100;
+    if (stops() || elsewhere_.empty() || ++tries_ > most_tries)
+      return false;
+    std::this_thread::sleep_for(pause);
+    queue_.assign(elsewhere_.begin(), elsewhere_.end());
+    elsewhere_.clear();
+    return true;
   }
 
   /// Takes back the runs that a process has not reported at its end. The first of them,
@@ -140,6 +163,8 @@ class LocalEngine {
   const Plan& plan_;
   const LocalChoice& choice_;
   std::deque<std::size_t> queue_;
+  std::vector<std::size_t> elsewhere_;  ///< runs at work in other processes
+  int tries_ = 0;                       ///< of take_over()
   std::list<Worker> workers_;
   Progress progress_;
   std::size_t finished_, failed_ = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <variant>
 
@@ -28,13 +29,27 @@ std::string read(const std::string& path) {
   }
 }
 
+/// The plan is JSON, so its texts have to be UTF-8. Throws AxisFault.
+void expect_utf8(const std::string& what, const std::string& text) {
+  try {
+    nlohmann::json(text).dump();
+  } catch (const nlohmann::json::exception&) {
+    throw AxisFault(what + " is not in UTF-8", "convert it, for example with iconv");
+  }
+}
+
 std::vector<Variation> runs_of(const Request& request) {
   std::vector<Variation> rows;
-  if (!request.table.empty())
-    rows = parse_table(read(request.table));
+  if (!request.table.empty()) {
+    const std::string table = read(request.table);
+    expect_utf8("the table of parameters", table);
+    rows = parse_table(table);
+  }
   std::vector<Axis> axes;
-  for (const std::string& set : request.sets)
+  for (const std::string& set : request.sets) {
+    expect_utf8("the text of --set", set);
     axes.push_back(parse_axis(set));
+  }
   const auto seeds =
       request.seeds.empty() ? std::vector<std::uint64_t>{} : parse_seeds(request.seeds);
   return combine(rows, axes, seeds);
@@ -119,6 +134,7 @@ Plan make_plan(const Request& request, int& code) {
   plan.kind = request.kind;
   const std::string text = read(request.deck);
   plan.deck = fs::canonical(request.deck).string();
+  expect_utf8("the path of the deck", plan.deck);
   plan.deck_hash = hash_of_deck(plan.deck);
   plan.name = fs::path(plan.deck).stem().string();
   plan.version = BLOCKS_VERSION;

@@ -262,6 +262,55 @@ TEST_F(Sweep, ASignalEndsTheRunsAtACheckpoint) {
   EXPECT_EQ(starts("i", 2), 2);
 }
 
+// The runs of a killed sweep end at a checkpoint, meanwhile they have their folders.
+TEST_F(Sweep, ASweepGoesOnRightAfterKill9) {
+  folder_.write("a.deck", falling_blocks("40"));
+  for (const std::string name : {"a", "b", "c"}) {
+    EXPECT_EQ(killed("sweep a.deck --seeds 1-2 -J 2 -o " + name,
+                     name + "/runs/000/000002/a.vtkhdf", 0.1, SIGKILL, folder_.path()),
+              -1);
+    EXPECT_THAT(sweep_well(name).out, Not(HasSubstr("another process")));
+    EXPECT_EQ(outcome(name, 2)["status"], "done");
+  }
+}
+
+TEST_F(Sweep, TwoSweepsThatBeginAtOnceShareOneFolder) {
+  for (int i = 0; i < 20; ++i) {
+    const std::string name = "s" + std::to_string(i),
+                      words = " sweep a.deck --seeds 1-2 -o " + name;
+    folder_.write("both.sh", "for i in 1 2; do " BLOCKS_PROGRAM + words +
+                                 " > out$i 2>&1 || echo failed >> out$i & done; wait");
+    ASSERT_EQ(
+        std::system(("cd '" + folder_.path().string() + "' && sh both.sh").c_str()), 0);
+    for (const char* out : {"out1", "out2"})
+      EXPECT_THAT(slurp(folder_ / out), Not(HasSubstr("failed")));
+    EXPECT_THAT(sweep_well("status " + name).out, HasSubstr("\n2 done\n"));
+    EXPECT_EQ(starts(name, 1) + starts(name, 2), 2);
+    EXPECT_FALSE(folder_.holds(name + "/sweep.json.lock"));
+  }
+}
+
+TEST_F(Sweep, APlanThatAnotherProcessWritesIsNamed) {
+  folder_.write("lock.py",
+                "import fcntl, time, subprocess, sys\n"
+                "f = open('s/sweep.json.lock', 'w')\n"
+                "f.write('BLOCKS lock of process 12 on there\\n'); f.flush()\n"
+                "fcntl.flock(f, fcntl.LOCK_EX)\n"
+                "sys.exit(subprocess.call(['" BLOCKS_PROGRAM "', 'sweep', 'a.deck', "
+                "'--seeds', '1-2', '-o', 's']))\n");
+  fs::create_directory(folder_ / "s");
+  const int status = std::system(
+      ("cd '" + folder_.path().string() + "' && python3 lock.py 2> err").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_THAT(slurp(folder_ / "err"), HasSubstr("process 12 on there"));
+}
+
+TEST_F(Sweep, TextThatIsNotUtf8IsRefused) {
+  expect_refused("a.deck --set \"$(printf 'FRICTN.fric=\\377')\"", "is not in UTF-8");
+  folder_.write("table.csv", "FRICTN.fric\n\xff\n");
+  expect_refused("a.deck --table table.csv", "is not in UTF-8");
+}
+
 TEST_F(Sweep, ACheckMeasuresTheSameBlocksWithoutSteps) {
   sweep_well("a.deck --seeds 1-3 -o s");
   sweep_well("a.deck --seeds 1-3 -o c --check");
