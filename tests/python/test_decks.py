@@ -52,6 +52,28 @@ def test_cards_keep_every_digit():
         "START, 9, 4", "ONE LINE", "CREATE, 4, 1, 1"]
 
 
+@pytest.mark.parametrize("name", [
+    "hard rock", "x$y", "x!y", "a,b", '"x"', "'x'", "it's", 'say "go"', "\u00e9t\u00e9 \u2028", " x ", "a\tb"])
+def test_texts_are_one_field_whatever_they_contain(name):
+    deck = two_boxes()
+    deck.insert("RIGID", blocks.Deck().material(2, 1e9, 4e8, 2500, name))
+    assert blocks.check(deck.create(4, 2, lines=[(5, 5, 6, 6), (2, 3, 3, 2)]).cycle(1)).materials == {2: name}
+    assert blocks.Deck(deck.text).text == deck.text
+
+
+@pytest.mark.parametrize("text", ["x\nRIGID", "x\r", "x\0y", "\x1b[1m", "'a' \"b\""])
+def test_texts_that_a_card_cannot_have_are_refused(text):
+    deck = blocks.Deck()
+    with pytest.raises(ValueError):
+        deck.material(1, 1e9, 4e8, 2500, text)
+    with pytest.raises(ValueError, match="one word"):
+        deck.card(text + "\n")
+    if "'" not in text:
+        with pytest.raises(ValueError):
+            deck.start(10, 4, lines=[text])
+    assert len(deck) == 0
+
+
 def test_a_deck_runs_as_its_text_does(program, tmp_path):
     deck = two_boxes().plots(0.1).history(0.01, "y:2", "kinetic_energy").motion(0.5).stop()
     path = deck.write(tmp_path / "boxes.deck")

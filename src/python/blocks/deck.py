@@ -19,8 +19,9 @@ class Deck:
     """A deck of cards.
 
     Each card is a method with its name in small letters, whose arguments are the fields of the card. Fields
-    without a value keep their defaults. Lines that follow a card are its argument `lines`: for each line a
-    text or a sequence of numbers. Every method returns the deck, so calls can be joined.
+    without a value keep their defaults. Texts are quoted where a card needs it. Lines that follow a card are
+    its argument `lines`: for each line a text, which is not changed, or a sequence of numbers. Every method
+    returns the deck, so calls can be joined.
 
         deck = blocks.Deck()
         deck.start(100, 4, lines=["TWO BLOCKS"])
@@ -37,7 +38,7 @@ class Deck:
 
     def __init__(self, text: str = "", name: str = "deck"):
         self.name = name
-        self._lines = text.splitlines()
+        self._lines = _lines_of(text)
 
     @classmethod
     def read(cls, path: str | os.PathLike) -> Deck:
@@ -50,13 +51,21 @@ class Deck:
         return "".join(line + "\n" for line in self._lines)
 
     def card(self, name: str, *fields: Any, lines: Iterable[Iterable[Any] | str] = ()) -> Deck:
-        """Adds a card by its name, and the line or lines that follow it. A field that is None stays blank."""
+        """Adds a card by its name, and the line or lines that follow it. A field that is None stays blank.
+
+        Raises:
+            ValueError: if a card cannot have such a text: one with a line end, or with both kinds of quotes
+                and a blank, a comma, $ or !.
+        """
         words = [_word(field) for field in fields]
         while words and not words[-1]:
             words.pop()
-        self._lines.append(", ".join([name.upper(), *words]))
+        if _needs_quotes(name):
+            raise ValueError(f"the name of a card is one word, not {name!r}")
+        added = [", ".join([name.upper(), *words])]
         for line in [lines] if isinstance(lines, str) else lines:
-            self._lines.append(line if isinstance(line, str) else ", ".join(_word(value) for value in line))
+            added.append(_one_line(line) if isinstance(line, str) else ", ".join(_word(value) for value in line))
+        self._lines += added
         return self
 
     def insert(self, before: str, cards: Deck | str) -> Deck:
@@ -68,13 +77,13 @@ class Deck:
         title = next((i + 1 for i, line in enumerate(self._lines) if _first_word(line) == "START"), None)
         for i, line in enumerate(self._lines):
             if i != title and _first_word(line) == before.upper():
-                self._lines[i:i] = (cards.text if isinstance(cards, Deck) else cards).splitlines()
+                self._lines[i:i] = _lines_of(cards.text if isinstance(cards, Deck) else cards)
                 return self
         raise ValueError(f"the deck has no card {before.upper()}")
 
     def comment(self, text: str) -> Deck:
         """Adds comment lines."""
-        self._lines += ["$ " + line for line in text.splitlines()]
+        self._lines += ["$ " + line for line in _lines_of(text)]
         return self
 
     def write(self, path: str | os.PathLike) -> Path:
@@ -118,9 +127,39 @@ def _word(value: Any) -> str:
         return str(int(value))
     if isinstance(value, float):
         return repr(value)
-    if isinstance(value, (int, str, os.PathLike)):
-        return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, (str, os.PathLike)):
+        return _quoted(os.fspath(value))
     raise TypeError(f"a field of a card is a number, a text or None, not {value!r}")
+
+
+def _lines_of(text: str) -> list[str]:
+    """Returns the lines of a text as a deck has them: only LF, CR LF and CR end a line."""
+    lines = re.split("\r\n|\r|\n", text)
+    return lines if lines[-1] else lines[:-1]
+
+
+def _one_line(text: str) -> str:
+    """Returns the text. Raises ValueError if it has a line end or another control character."""
+    if re.search("[\0-\x08\n\r\x0e-\x19\x1b-\x1f\x7f]", text):
+        raise ValueError(f"a deck cannot have this text in a line: {text!r}")
+    return text
+
+
+def _needs_quotes(text: str) -> bool:
+    """Whether a card would read the text as several fields, as a comment, or as a quoted text."""
+    return bool(re.search("^['\"]|[ \t\f\v\x1a\xa0,$!\n\r]", text))
+
+
+def _quoted(text: str) -> str:
+    """Returns a text as one field of a card."""
+    if not _needs_quotes(_one_line(text)):
+        return text
+    quote = next((quote for quote in "\"'" if quote not in text), None)
+    if quote is None:
+        raise ValueError(f"a card cannot have both kinds of quotes in one text: {text!r}")
+    return quote + text + quote
 
 
 def _name(word: str) -> str:
