@@ -17,6 +17,7 @@
 #include "errors.hpp"
 #include "library/deck_messages.hpp"
 #include "names.hpp"
+#include "output/file_tools.hpp"
 #include "run/check_report.hpp"
 #include "run/interrupt.hpp"
 #include "signal_watch.hpp"
@@ -163,6 +164,7 @@ py::dict summary_of(const SharedCertificate& certificate) {
 }  // namespace
 
 void bind_run(py::module_& module) {
+  module.def("_replace_file", &output::replace_file, py::arg("path"), py::arg("text"));
   module.def("_run", &run_deck, py::arg("deck"), py::arg("text"), py::arg("out"),
              py::arg("seed"), py::arg("sets"), py::arg("threads"), py::arg("until"),
              py::arg("restart"), py::arg("time_limit"), py::arg("audit"),

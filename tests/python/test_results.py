@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 import types
+from contextlib import nullcontext
 from pathlib import Path
 
 import h5py
@@ -473,6 +474,11 @@ def test_geojson_is_that_of_export(opened, tmp_path):
     frame.to_geojson(tmp_path / "own.geojson")
     assert (tmp_path / "own.geojson").read_text() == frame.to_geojson()
     assert [path.name for path in tmp_path.iterdir()] == ["own.geojson"]
+    for link, kept in (("link.geojson", False), ("own.geojson.tmp", True)):
+        (tmp_path / link).symlink_to(tmp_path / "precious")
+        with nullcontext() if kept else pytest.raises(FileError, match="it is a link"):
+            frame.to_geojson(tmp_path / link.removesuffix(".tmp"))
+        assert (tmp_path / link).is_symlink() and not (tmp_path / "precious").exists()
     features = frame.__geo_interface__["features"]
     assert len(features) == np.count_nonzero(~frame.is_removed)
     with pytest.raises(ValueError, match="would be overwritten"):
@@ -672,6 +678,56 @@ def test_other_hdf5_files(tmp_path, files):
             change(file)
         with pytest.raises(FileError, match=words):
             read(path)
+
+
+def make_external(file, path, place):
+    old = file[path]
+    shape, dtype = old.shape, old.dtype
+    del file[path]
+    file.create_dataset(path, shape, dtype, external=[(str(place), 0, h5py.h5f.UNLIMITED)])
+
+
+def make_virtual(file, path, place):
+    old = file[path]
+    layout = h5py.VirtualLayout(old.shape, old.dtype)
+    layout[...] = h5py.VirtualSource(str(place), "x", old.shape)
+    del file[path]
+    file.create_virtual_dataset(path, layout)
+
+
+def make_link(file, path, place):
+    del file[path]
+    file[path] = h5py.ExternalLink(str(place), "/x")
+
+
+def make_soft(file, path, place):
+    del file[path]
+    file[path] = h5py.SoftLink("/BLOCKS/title")
+
+
+@pytest.mark.parametrize("change", [make_external, make_virtual, make_link, make_soft])
+def test_data_of_other_files(tmp_path, files, change):
+    os.mkfifo(tmp_path / "fifo")
+    with pytest.raises(FileError, match="not a regular file"):
+        read(tmp_path / "fifo")
+    for place in ("VTKHDF/CellData/Material", "BLOCKS/contacts/Corner", "VTKHDF/Points"):
+        path = shutil.copy(files["stack"], tmp_path / "changed.vtkhdf")
+        with h5py.File(path, "r+") as file:
+            change(file, place, tmp_path / "fifo")
+        with pytest.raises(FileError, match=f"{place} is (stored in another file|a link)"):
+            read(path)
+
+
+@pytest.mark.parametrize("name", ["CornerBlock", "Corner", "EdgeBlock", "Edge"])
+@pytest.mark.parametrize("value", [-(2**31), -1, 0, 99, 2**31 - 1])
+def test_contacts_out_of_range(tmp_path, files, name, value):
+    if (name, value) == ("EdgeBlock", 0):
+        return  # a symmetry plane
+    path = shutil.copy(files["stack"], tmp_path / "changed.vtkhdf")
+    with h5py.File(path, "r+") as file:
+        file["BLOCKS/contacts/" + name][...] = value
+    with read(path) as results, pytest.raises(FileError, match=f"contacts/{name} is out of range"):
+        results[-1].contacts
 
 
 def test_a_truncated_file(tmp_path, files):

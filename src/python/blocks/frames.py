@@ -370,16 +370,14 @@ class Frame:
 
         Raises:
             ValueError: if the path is that of the results.
+            FileError: if the file cannot be written, or the path is a link.
         """
         text = exports.geojson_text(self)
         if path is None:
             return text
         if os.path.exists(path) and os.path.samefile(path, self.results.path):
             raise ValueError(f"{os.fspath(path)} would be overwritten: choose another path")
-        draft = f"{os.fspath(path)}.tmp"
-        with open(draft, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.replace(draft, path)
+        _blocks._replace_file(os.fspath(path), text)
         return None
 
     @property

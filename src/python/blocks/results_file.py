@@ -119,6 +119,9 @@ class ResultsFile:
         self._data: h5py.File | None = None
         self._opened_at: int | None = None  # number of changes when _data was opened
         self._marked: _Marked | None = None
+        self._has_own_data = False  # was tested; it takes as long as reading a frame
+        if os.path.exists(path) and not (os.path.isfile(path) or os.path.isdir(path)):
+            raise self._error("it is not a regular file")  # opening a FIFO may never end
         try:
             self._marked = _Marked(path)
         except OSError as error:
@@ -180,6 +183,9 @@ class ResultsFile:
 
     def _fault(self, data: h5py.File) -> str:
         """Says why the data cannot be used; empty if they can."""
+        if not self._has_own_data and (fault := _data_elsewhere(data)):
+            return fault
+        self._has_own_data = True
         if "VTKHDF" not in data or "BLOCKS" not in data or "seed" not in data["BLOCKS"].attrs:
             return "it is not a results file of BLOCKS, but an HDF5 file of another program"
         if data["BLOCKS"].attrs["format"] > _NEWEST_FORMAT:
@@ -221,6 +227,24 @@ def results_nearby(path: str) -> str:
         return "`blocks run DECK` writes results to NAME.vtkhdf"
     names = ", ".join(map(str, found[:5]))
     return f"results in this folder: {names}" + (", ..." if len(found) > 5 else "")
+
+
+def _data_elsewhere(group: h5py.Group, depth: int = 0) -> str:
+    """Names an object whose data are not in the file, because HDF5 would open any other file; empty if none.
+
+    Files of BLOCKS have no such objects.
+    """
+    for name in group:
+        place = f"{group.name}/{name}".lstrip("/")
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink) or depth > 8:
+            return f"{place} is a link to another place or file"
+        item = group[name]
+        if isinstance(item, h5py.Group):
+            if fault := _data_elsewhere(item, depth + 1):
+                return fault
+        elif isinstance(item, h5py.Dataset) and (item.external or item.is_virtual):
+            return f"{place} is stored in another file"
+    return ""
 
 
 def _reason(error: Exception) -> str:

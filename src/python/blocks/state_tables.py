@@ -49,6 +49,7 @@ def contact_table(file: h5py.File, frame: int, first_corner: NDArray[np.integer]
         table[name][: len(columns[name])] = columns[name]
     for name in ("corner_block", "corner", "edge_block", "edge"):
         table[name] -= 1
+    _expect_in_range(table, np.diff(first_corner))
     on_block = table["edge_block"] >= 0
     table["corner"] += first_corner[table["corner_block"]].astype(table["corner"].dtype)
     table["edge"][on_block] += first_corner[table["edge_block"][on_block]].astype(table["edge"].dtype)
@@ -56,6 +57,19 @@ def contact_table(file: h5py.File, frame: int, first_corner: NDArray[np.integer]
     along = np.stack([normal[:, 1], -normal[:, 0]], axis=1)  # normals are on the left of edges
     table["force"] = normal * table["normal_force"][:, None] - along * table["shear_force"][:, None]
     return frozen(table)
+
+
+def _expect_in_range(contacts: NDArray[np.void], corners: NDArray[np.integer]) -> None:
+    """Raises ValueError unless all corners and edges of blocks exist; `corners` has their number in each block."""
+    blocks, other = contacts["corner_block"], contacts["edge_block"]
+    on_block = other >= 0
+    for name, low, most in (("CornerBlock", blocks, len(corners)), ("EdgeBlock", other + 1, len(corners) + 1)):
+        if np.any((low < 0) | (low >= most)):
+            raise ValueError(f"contacts/{name} is out of range")
+    edges = contacts["edge"][on_block]
+    for name, index, of in (("Corner", contacts["corner"], blocks), ("Edge", edges, other[on_block])):
+        if np.any((index < 0) | (index >= corners[of])):
+            raise ValueError(f"contacts/{name} is out of range")
 
 
 def crack_count(file: h5py.File, frame: int) -> int:
