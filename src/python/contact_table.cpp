@@ -16,6 +16,16 @@ struct ContactRow {
   double point[2], normal[2], force[2];
   double normal_force, shear_force, overlap;
 };
+/// With the state of the law of the joint. The names are those of the results.
+struct LawRow {
+  std::int32_t corner_block, corner, edge_block, edge;
+  double point[2], normal[2], force[2];
+  double normal_force, shear_force, overlap;
+  std::int32_t bonded;
+  double closure, dilation;
+  std::int32_t failed, law;
+  double length, normal_stiffness, plastic_closure, shear_stiffness, slip, slip_path;
+};
 struct CrackRow {
   std::int64_t step;
   double time;
@@ -25,32 +35,49 @@ struct CrackRow {
 
 void put(double (&to)[2], const Vec2& from) { to[0] = from.x(), to[1] = from.y(); }
 
+/// Returns the row of a contact. The columns of a law are 0.
+template <class Row> Row row_of(const ContactForce& contact, const Blocks& blocks) {
+  Row row{};
+  const bool on_plane = contact.edge_block == 0;
+  row.corner_block = contact.corner_block - 1;
+  row.corner = blocks.first_corner[row.corner_block] + contact.corner - 1;
+  row.edge_block = contact.edge_block - 1;
+  row.edge = (on_plane ? 0 : blocks.first_corner[row.edge_block]) + contact.edge - 1;
+  put(row.point, contact.point);
+  put(row.normal, contact.normal);
+  put(row.force, contact.force());
+  row.normal_force = contact.normal_force;
+  row.shear_force = contact.shear_force;
+  row.overlap = contact.overlap;
+  return row;
+}
+
 template <class Row> py::array table(const std::vector<Row>& rows) {
   return py::array_t<Row>(static_cast<py::ssize_t>(rows.size()), rows.data());
 }
 
 }  // namespace
 
-py::array contact_table(const std::vector<ContactForce>& contacts,
-                        const Blocks& blocks) {
-  std::vector<ContactRow> rows;
+py::array contact_table(const std::vector<ContactForce>& contacts, const Model& model) {
+  const Blocks& blocks = model.blocks;
+  const std::vector<JointState>& states = model.joint_states;
+  if (states.empty()) {
+    std::vector<ContactRow> rows;
+    for (const ContactForce& contact : contacts)
+      rows.push_back(row_of<ContactRow>(contact, blocks));
+    return table(rows);
+  }
+  std::vector<LawRow> rows;
   for (const ContactForce& contact : contacts) {
-    const bool on_plane = contact.edge_block == 0;
-    const int block = contact.corner_block - 1, edge_block = contact.edge_block - 1;
-    ContactRow row{block,
-                   blocks.first_corner[block] + contact.corner - 1,
-                   edge_block,
-                   (on_plane ? 0 : blocks.first_corner[edge_block]) + contact.edge - 1,
-                   {},
-                   {},
-                   {},
-                   contact.normal_force,
-                   contact.shear_force,
-                   contact.overlap};
-    put(row.point, contact.point);
-    put(row.normal, contact.normal);
-    put(row.force, contact.force());
-    rows.push_back(row);
+    LawRow& row = rows.emplace_back(row_of<LawRow>(contact, blocks));
+    if (rows.size() > states.size())
+      continue;  // contacts with planes come last and have no law
+    const JointState& state = states[rows.size() - 1];
+    row.law = state.law, row.bonded = state.bonded, row.failed = state.failed;
+    row.slip = state.slip, row.slip_path = state.path, row.length = state.length;
+    row.closure = state.closure, row.plastic_closure = state.plastic;
+    row.dilation = state.offset;
+    row.normal_stiffness = state.stiffness, row.shear_stiffness = state.shear_stiffness;
   }
   return table(rows);
 }
@@ -95,6 +122,10 @@ py::array crack_table(const Model& model) {
 void register_tables() {
   PYBIND11_NUMPY_DTYPE(ContactRow, corner_block, corner, edge_block, edge, point,
                        normal, force, normal_force, shear_force, overlap);
+  PYBIND11_NUMPY_DTYPE(LawRow, corner_block, corner, edge_block, edge, point, normal,
+                       force, normal_force, shear_force, overlap, bonded, closure,
+                       dilation, failed, law, length, normal_stiffness, plastic_closure,
+                       shear_stiffness, slip, slip_path);
   PYBIND11_NUMPY_DTYPE(CrackRow, step, time, parent, child, cause, stress, begin, end,
                        parent_area, child_area, released);
 }

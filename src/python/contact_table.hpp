@@ -11,9 +11,9 @@
 
 namespace blocks::python {
 
-/// Returns a row for each contact. blocks: those of the model.
+/// Returns a row for each contact, with the state of its law if the model has laws.
 pybind11::array contact_table(const std::vector<ContactForce>& contacts,
-                              const Blocks& blocks);
+                              const Model& model);
 /// Returns the sum of the contact forces on each block, (n, 2) [F].
 pybind11::array contact_forces(const std::vector<ContactForce>& contacts,
                                const Blocks& blocks);

@@ -74,6 +74,13 @@ void bind_simulation(py::module_& module) {
         [](DrivenModel& self) { return self.simulation().kinetic_energy(); });
   value("worst_overlap",
         [](DrivenModel& self) { return self.simulation().worst_overlap(); });
+  value("_solves", [](DrivenModel& self) {
+    py::list solves;
+    for (const SolveRecord& solve : self.model().solves)
+      solves.append(py::make_tuple(solve.steps, solve.reached, solve.converged,
+                                   solve.wanted, solve.time));
+    return solves;
+  });
   value("unbalanced_ratio",
         [](DrivenModel& self) { return self.simulation().unbalanced_ratio(); });
   simulation.def("__len__",
@@ -121,9 +128,8 @@ void bind_simulation(py::module_& module) {
   simulation.def_property("velocity", &DrivenModel::velocity,
                           &DrivenModel::set_velocities);
   simulation.def_property("spin", &DrivenModel::spin, &DrivenModel::set_spins);
-  value("contacts", [](DrivenModel& self) {
-    return contact_table(self.contacts(), self.blocks());
-  });
+  value("contacts",
+        [](DrivenModel& self) { return contact_table(self.contacts(), self.model()); });
   value("contact_force", [](DrivenModel& self) {
     return contact_forces(self.contacts(), self.blocks());
   });

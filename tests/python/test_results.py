@@ -166,6 +166,7 @@ def test_frames_are_those_of_a_simulation(tmp_path):
     with read(tmp_path / "beam.vtkhdf") as results:
         frame = results[0]
         assert len(frame.contacts) > 0 < len(frame.cracks)
+        assert {"law", "bonded", "slip"} <= set(simulation.contacts.dtype.names)
         for table in ("contacts", "cracks"):
             own, other = getattr(frame, table), getattr(simulation, table)
             assert own.dtype.names[: len(other.dtype.names)] == other.dtype.names

@@ -320,6 +320,31 @@ def test_views_outlive_their_simulation(fall):
     assert len(others) == 20 and corners.base is not None
 
 
+def test_solve_tells_how_it_ended(fall):
+    sim = blocks.Simulation(fall + "LOCDAMP, 0.8\n")
+    before = sim.steps
+    short = sim.solve(1e-9, nmax=30)
+    assert short == (30, sim.unbalanced_ratio, False, 1e-9, sim.time)
+    assert sim.solutions == [short] and sim.warnings
+    well = sim.solve(1e-3)
+    assert well.converged and well.ratio <= 1e-3 == well.wanted
+    assert sim.steps == before + 30 + well.steps
+    sim.cards("SOLVE, 1.D-3, 50")
+    assert len(sim.solutions) == 3
+    with pytest.raises(blocks.DeckError):
+        sim.solve(-1)
+    with pytest.raises(TypeError):
+        sim.solve(1e-3, 2.5)
+
+
+def test_run_until_goes_to_the_same_time_twice(fall):
+    sim = blocks.Simulation(fall)
+    sim.run_until(0.1)
+    steps = sim.steps
+    sim.run_until(0.1)
+    assert sim.steps == steps
+
+
 def test_frames_and_checkpoints(fall, tmp_path):
     sim = blocks.Simulation(fall)
     for _ in range(3):
@@ -399,7 +424,9 @@ def test_arguments(fall):
         sim.set_velocity(1, (1, 2, 3))
     with pytest.raises(ValueError, match="not a finite"):
         sim.run_until(float("nan"))
-    sim.run_until(-1.0)
+    with pytest.raises(ValueError, match="the time -1 has passed: it is 0"):
+        sim.run_until(-1.0)
+    sim.run_until(0.0)
     assert sim.steps == 0
     with pytest.raises(ValueError, match="block 0 is not free"):
         sim.set_velocity(0, (1, 0))

@@ -24,14 +24,14 @@ from .deck import Deck
 from .errors import BlocksError, DeckError, DeckWarning, FileError, NotReadError, RunWarning, UnsoundRun
 from .results import Frame, History, Results, read
 from .running import Run, run
-from .simulation import Simulation
+from .simulation import Simulation, Solution
 from .studies import study, study_scenes, study_variants
 from .sweeps import Sweep, sweep
 
 __all__ = [
     "Assembly", "BlocksError", "Deck", "DeckError", "DeckWarning", "Diagnostic", "FileError", "Frame",
-    "History", "NotReadError", "Results", "Run", "RunWarning", "Simulation", "Sweep", "UnsoundRun", "__version__",
-    "card_table", "check", "joints", "layers", "predicates", "read", "run", "study", "study_scenes",
+    "History", "NotReadError", "Results", "Run", "RunWarning", "Simulation", "Solution", "Sweep", "UnsoundRun",
+    "__version__", "card_table", "check", "joints", "layers", "predicates", "read", "run", "study", "study_scenes",
     "study_variants", "sweep",
 ]
 

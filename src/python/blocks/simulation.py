@@ -4,17 +4,28 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from . import _blocks
+from .deck import Deck
 from .dimensions import Units
 from .documented import attributes_of
 from .inputs import DeckLike, name_and_text, whole
 from .notebooks import html_of
 
-__all__ = ["Simulation"]
+__all__ = ["Simulation", "Solution"]
+
+
+class Solution(NamedTuple):
+    """How a SOLVE has ended."""
+
+    steps: int  #: made by it
+    ratio: float  #: of the unbalanced forces at the end
+    converged: bool  #: whether two successive tests found at most the ratio that was wanted
+    wanted: float  #: ratio
+    time: float  #: [T] at the end
 
 
 class Simulation(_blocks.Simulation):
@@ -49,7 +60,7 @@ class Simulation(_blocks.Simulation):
         centroid: (n, 2) [L].
         velocity: (n, 2) [L/T] of the centroids. May be written to, for free blocks.
         spin: (n,) [1/T] angular velocity. May be written to, for free blocks.
-        angle: (n,) rotation since the block was made, rad.
+        angle: (n,) rotation since the block was made, rad. `rotation` of HISTORY and frames is in degrees.
         gradient: (n, 2, 2) deformation gradient since the block was made.
         stress: (n, 2, 2) [F/L^2] internal stress (12).
         strain_rate: (n, 2, 2) [1/T] (10).
@@ -64,7 +75,10 @@ class Simulation(_blocks.Simulation):
         contacts: structured array, a row for each contact that acted in the last step: `corner_block`,
             `corner`, `edge_block` (-1: a symmetry plane), `edge` (number of its first corner, or of the
             plane), `point` [L], `normal` (outward unit normal of the edge), `force` [F] on the block of the
-            corner, `normal_force`, `shear_force` [F] and `overlap` [L]. A copy.
+            corner, `normal_force`, `shear_force` [F] and `overlap` [L]. If joints have laws (docs/laws.md),
+            also `law` (joint id; 0: STIFF and FRICTN), `bonded`, `failed`, `slip`, `slip_path`, `dilation`,
+            `closure`, `plastic_closure`, `length` [L], `normal_stiffness` and `shear_stiffness` [F/L^2].
+            A copy.
         contact_force: (n, 2) [F] sum of the contact forces on each block in the last step. A copy.
         cracks: structured array, a row for each crack so far: `step`, `time`, `parent`, `child`, `cause`
             (0: stress, 1: point loads), `stress` [F/L^2], `begin`, `end` [L], `parent_area`, `child_area`
@@ -107,8 +121,34 @@ class Simulation(_blocks.Simulation):
 
     def run_until(self, time: float, read: bool | None = None, *, every: int = 0,
                   callback: Callable[[Simulation], Any] | None = None) -> None:
-        """Makes the steps to this time [T], as MOTION does; none if it has passed. See `step`."""
-        self.step(self._steps_until(time), read, every=every, callback=callback)
+        """Makes the steps to this time [T], as MOTION does. See `step`.
+
+        Raises:
+            ValueError: if the time has passed, by more than the step that reached it.
+        """
+        count = self._steps_until(time)
+        if time < self.time - self.time_step:
+            raise ValueError(f"the time {time:g} has passed: it is {self.time:g}")
+        self.step(count, read, every=every, callback=callback)
+
+    def solve(self, ratio: float = 1e-5, nmax: int = 100_000) -> Solution:
+        """Makes steps until the forces are balanced (SOLVE). Needs damping.
+
+        Args:
+            ratio: unbalanced forces over all forces, at which two successive tests end it.
+            nmax: largest number of steps.
+
+        Raises:
+            DeckError: if the ratio or the number is not possible, or there are no blocks.
+            UnsoundRun: if a step made the state unusable.
+        """
+        self.cards(Deck().solve(float(ratio), whole(nmax, "nmax", 1)))
+        return self.solutions[-1]
+
+    @property
+    def solutions(self) -> list[Solution]:
+        """How each SOLVE so far has ended, those of cards included."""
+        return [Solution(*solve) for solve in self._solves]
 
     def cards(self, text: DeckLike) -> None:
         """Executes further problem cards, one a line, as text or as a `Deck`.
