@@ -59,6 +59,14 @@ blocks::deck::Override override_of(const std::string& text) {
       "expected CARD.field=value or CARD[2].field=value, found '" + text + "'");
 }
 
+void add_set_option(CLI::App& command, std::vector<std::string>& sets) {
+  command.add_option(
+      "--set", sets,
+      "CARD.field=value: replace a field of every such card, or "
+      "CARD[2].field=value: of the second one; 'blocks cards --set DECK' "
+      "lists what can be replaced");
+}
+
 void add_deck_options(CLI::App& command, RunOptions& options,
                       std::vector<std::string>& sets) {
   command.add_option("DECK", options.deck, "the deck, or - for standard input")
@@ -72,11 +80,7 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command.add_option("--restart", options.restart,
                      "continue from this checkpoint: this deck was stopped, or it "
                      "begins with RESTART");
-  command.add_option(
-      "--set", sets,
-      "CARD.field=value: replace a field of every such card, or "
-      "CARD[2].field=value: of the second one; 'blocks cards --set DECK' "
-      "lists what can be replaced");
+  add_set_option(command, sets);
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   command.add_flag("-v,--verbose", options.verbose,
                    "print details of blocks and layers");
@@ -197,6 +201,7 @@ int dispatch(int argc, char** argv) {
   auto* to_others =
       app.add_subcommand("export", "write blocks and results for other programs");
   blocks::apps::add_export_options(*to_others, export_options);
+  add_set_option(*to_others, sets);
 
   blocks::apps::StudyOptions study_options;
   auto* study = app.add_subcommand("study", "measure how robust contact detection is");
@@ -228,6 +233,7 @@ int dispatch(int argc, char** argv) {
       throw CLI::ValidationError("--audit: a number of steps is missing after =");
     for (const std::string& text : sets)
       options.overrides.push_back(override_of(text));
+    export_options.input.overrides = options.overrides;
   } catch (const CLI::ParseError& error) {
     const bool is_fault = error.get_exit_code() != 0;
     if (is_fault && astray_from_audit(app).empty())

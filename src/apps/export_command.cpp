@@ -237,6 +237,9 @@ int export_blocks(ExportOptions options) {
 
   Scene scene;
   if (is_results(input)) {
+    if (!options.input.overrides.empty())
+      return refuse(run::usage_error,
+                    "--set is for decks; the blocks of results are those of a run");
     try {
       const post::ResultsReader results(input);
       if (results.frames() == 0)

@@ -218,6 +218,19 @@ TEST(Export, WritesAFrameOfResults) {
 
 // Gmsh has no hexagons, so block 32 becomes triangles. $Blocks keeps its outline and
 // which blocks are fixed.
+TEST(Export, SetsFieldsOfADeck) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", preliminary() + rectangle(0, 0, 2, 1) + "CYCLE, 1\n");
+  EXPECT_EQ(blocks("export a.deck --set CREATE.mat=2 -o a.json", folder.path()).code,
+            0);
+  const auto json = nlohmann::json::parse(slurp(folder / "a.json"));
+  EXPECT_EQ(json["features"][0]["properties"]["material"], 2);
+  EXPECT_EQ(blocks("export a.deck --set CREATE.mat=7", folder.path()).code, 3);
+  EXPECT_EQ(blocks("export a.deck --set CREATE", folder.path()).code, 2);
+  ASSERT_EQ(blocks("run a.deck -q", folder.path()).code, 0);
+  EXPECT_EQ(blocks("export a.vtkhdf --set CREATE.mat=2", folder.path()).code, 2);
+}
+
 TEST(Export, KeepsBlocksThatAreNoGmshElements) {
   const TemporaryFolder folder;
   const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
