@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """The documentation is a test: check_docs.py WHAT SOURCE [PROGRAM], WHAT being links,
-citations, installed, versions, tutorial, commands or examples."""
+citations, departures, installed, versions, tutorial, commands or examples."""
 
 import json
 import os
@@ -104,6 +104,30 @@ def check_citations(source):
             faults += [f"{path}: {rule!r} is a number, not a name"
                        for rule in re.findall(r"\b[Rr]ules? \d+", text)]
     assert count > 60, count
+    return faults
+
+
+def check_departures(source, program):
+    """The record of the report is complete: each card of its Appendix A exists, and
+    docs/report-map.md lists the other cards. docs/departures.md names all cards that are not
+    in the report or have fields that are not, and every tape of the report map."""
+    cards = dict(re.findall(r"^### (\w+)\n(.*?)(?=^##)", (source / "docs/cards.md").read_text(), re.M | re.S))
+    listed = subprocess.run([program, "cards"], text=True, capture_output=True).stdout
+    assert list(cards) == re.findall(r"^  ([A-Z]\w+) ", listed, re.M), cards.keys()
+    section = {name: re.search(r"\((?:.*; )?(not in the report|report A[\d.]+)\)", text)[1] for name, text in cards.items()}
+    report_map, departures = ((source / f"docs/{page}.md").read_text() for page in ("report-map", "departures"))
+    faults = [f"no card of report {number}" for number in
+              [f"A.1.{n}" for n in range(1, 12)] + [f"A.2.{n}" for n in range(1, 22)]
+              if f"report {number}" not in section.values()]
+    new = {name for name, where in section.items() if where == "not in the report"}
+    listed_new = set(re.findall(r"\b[A-Z][A-Z0-9]{2,}\b", re.split(r"\.\s", report_map.split("New are the cards")[1])[0]))
+    faults += [f"docs/report-map.md, new cards: {name}" for name in sorted(new ^ listed_new)]
+    wider = {name for name, text in cards.items() if "(not in the report)" in text}
+    faults += [f"docs/departures.md does not name the card {name}" for name in sorted(new | wider)
+               if not re.search(rf"\b{name}\b", departures)]
+    tapes = set(re.findall(r"^\| (tape \d+)", report_map, re.M))
+    assert len(tapes) == 3, tapes
+    faults += [f"docs/departures.md does not name {tape}" for tape in sorted(tapes) if tape not in departures]
     return faults
 
 
@@ -289,7 +313,7 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "citations": check_citations, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results, "width": check_width}[what]
+    check = {"links": check_links, "citations": check_citations, "departures": check_departures, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results, "width": check_width}[what]
     faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
