@@ -11,10 +11,28 @@ std::vector<ChartKey> keys_of(const ChartPanel& panel) {
     if (!panel.lines[i].legend.empty())
       keys.push_back({i, false, panel.lines[i].legend, panel.lines[i].form});
     if (!panel.lines[i].low.empty() && !panel.lines[i].band_legend.empty())
-      keys.push_back({i, true, panel.lines[i].band_legend});
+      keys.push_back({i, true, panel.lines[i].band_legend, panel.lines[i].form});
   }
   return keys;
 }
+
+namespace {
+
+/// Returns whether some panel has a legend of few entries that are too long for a
+/// column of this width beside the panel [units].
+bool has_long_keys(const Chart& chart, double column) {
+  constexpr std::size_t few = 3;  // more entries would push the panel down
+  constexpr double letter = 0.6 * 13;
+  return std::any_of(chart.panels.begin(), chart.panels.end(), [&](const auto& one) {
+    const auto keys = keys_of(one);
+    return keys.size() <= few &&
+           std::any_of(keys.begin(), keys.end(), [&](const ChartKey& key) {
+             return letter * static_cast<double>(key.words.size()) > column;
+           });
+  });
+}
+
+}  // namespace
 
 double ChartLayout::keys(const ChartPanel& one) const {
   const std::size_t lines = std::min(keys_of(one).size(), most_keys);
@@ -24,8 +42,9 @@ double ChartLayout::keys(const ChartPanel& one) const {
 ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.width) {
   constexpr double narrow = 620, flat = 0.62, least_panel = 50;
   if (size.printed) {
-    keys_above = size.width < narrow;
-    head = 54, between = 26, foot = 60, left = 84, right = keys_above ? 16.0 : 200.0;
+    constexpr double beside = 200.0, margins = 62.0;  // of the sample and the page
+    keys_above = size.width < narrow || has_long_keys(chart, beside - margins);
+    head = 54, between = 26, foot = 60, left = 84, right = keys_above ? 16.0 : beside;
     title = 24, subtitle = 44;
     panel = std::clamp(flat * (page - left - right), 120.0, 210.0);
   }

@@ -252,7 +252,6 @@ class ChartDrawing : ChartLayout {
 
   template <class PageY>
   void draw_intervals(const ChartLine& line, std::size_t i, const PageY& page_y) {
-    constexpr double cap = 5.0, radius = 4.2;
     pen_.colour(line_colour(i), band_opacity);
     cairo_set_line_width(cairo_, 1.4);
     for (std::size_t k = 0; k < line.x.size(); ++k)
@@ -263,21 +262,31 @@ class ChartDrawing : ChartLayout {
       if (!std::isfinite(line.y[k]))
         continue;
       const double x = page_x(line.x[k]);
-      pen_.colour(line_colour(i));
-      cairo_set_line_width(cairo_, 1.8);
-      if (k < line.low.size() && std::isfinite(line.low[k])) {
-        const double low = page_y(line.low[k]), high = page_y(line.high[k]);
-        for (const double end : {low, high}) {
-          cairo_move_to(cairo_, x - cap, end);
-          cairo_line_to(cairo_, x + cap, end);
-        }
-        cairo_move_to(cairo_, x, low);
-        cairo_line_to(cairo_, x, high);
-        cairo_stroke(cairo_);
-      }
-      cairo_arc(cairo_, x, page_y(line.y[k]), radius, 0, 2 * std::numbers::pi);
-      cairo_fill(cairo_);
+      if (k < line.low.size() && std::isfinite(line.low[k]))
+        error_bar(i, x, page_y(line.low[k]), page_y(line.high[k]));
+      point(i, x, page_y(line.y[k]));
     }
+  }
+
+  /// Draws a bar between two heights [units], with caps.
+  void error_bar(std::size_t i, double x, double low, double high) {
+    constexpr double cap = 5.0;
+    pen_.colour(line_colour(i));
+    cairo_set_line_width(cairo_, 1.8);
+    for (const double end : {low, high}) {
+      cairo_move_to(cairo_, x - cap, end);
+      cairo_line_to(cairo_, x + cap, end);
+    }
+    cairo_move_to(cairo_, x, low);
+    cairo_line_to(cairo_, x, high);
+    cairo_stroke(cairo_);
+  }
+
+  void point(std::size_t i, double x, double y) {
+    constexpr double radius = 4.2;
+    pen_.colour(line_colour(i));
+    cairo_arc(cairo_, x, y, radius, 0, 2 * std::numbers::pi);
+    cairo_fill(cairo_);
   }
 
   void draw_mark(const ChartLine& line, std::size_t i, double top, double bottom) {
@@ -314,6 +323,13 @@ class ChartDrawing : ChartLayout {
   /// Draws a piece of the line or band, centred at this height.
   void sample(const ChartKey& key, double x, double y) {
     constexpr double width = 26, height = 10;
+    if (key.form == Form::intervals) {
+      if (key.is_band)
+        error_bar(key.line, x + width / 2, y - height / 2, y + height / 2);
+      else
+        point(key.line, x + width / 2, y);
+      return;
+    }
     if (key.is_band || key.form == Form::bars) {
       pen_.colour(line_colour(key.line), key.is_band ? band_opacity : bar_opacity);
       cairo_rectangle(cairo_, x, y - height / 2, width, height);
@@ -331,16 +347,20 @@ class ChartDrawing : ChartLayout {
 
   void legend_above(const ChartPanel& one, double y) {
     const auto all = keys_of(one);
+    // Long entries begin to the left of the panel.
+    double widest = 0.0;
+    for (const ChartKey& key : all)
+      widest = std::max(widest, pen_.width(key.words, 13));
+    const double x = std::clamp(page - right - 36 - widest, 14.0, left);
     for (std::size_t i = 0; i < std::min(all.size(), most_keys); ++i) {
       y += key_line;
       if (i + 1 == most_keys && all.size() > most_keys) {
-        pen_.text(fmt::format("and {} more", all.size() - i), left, y - 10, 13, muted,
-                  0, 0.5);
+        pen_.text(fmt::format("and {} more", all.size() - i), x, y - 10, 13, muted, 0,
+                  0.5);
         return;
       }
-      sample(all[i], left, y - 10);
-      pen_.text(all[i].words, left + 34, y - 10, 13, ink, 0, 0.5,
-                page - right - left - 34);
+      sample(all[i], x, y - 10);
+      pen_.text(all[i].words, x + 34, y - 10, 13, ink, 0, 0.5, page - right - x - 34);
     }
   }
 

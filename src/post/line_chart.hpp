@@ -21,7 +21,7 @@ struct ChartLine {
   std::string legend;
   std::vector<double> x, y;
   std::vector<double> low = {}, high = {};
-  std::string band_legend = {};  ///< of the band; empty: none
+  std::string band_legend = {};  ///< of the band or the error bars; empty: none
   Form form = Form::curve;
   double bar = 0.0;  ///< width of bars, in units of x
 };

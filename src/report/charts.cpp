@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "deck/card_table.hpp"
 #include "post/axes.hpp"
 
 namespace blocks::report {
@@ -79,13 +80,33 @@ post::ChartLine points(const Analysis& analysis) {
   return line;
 }
 
+/// Returns the label of the axis of a parameter: "coefficient of friction
+/// (FRICTN.fric)". It is the name alone if the table of cards has no short words for
+/// the field.
+std::string parameter_label(const std::string& name) {
+  constexpr std::size_t longest = 42;  // letters below a figure of one column
+  const auto dot = name.find('.');
+  if (dot == std::string::npos)
+    return name;
+  const deck::CardSpec* card =
+      deck::find_card(name.substr(0, name.find_first_of(".[")));
+  const auto field =
+      card != nullptr ? card->find_field(name.substr(dot + 1)) : std::nullopt;
+  if (!field)
+    return name;
+  const std::string_view help = card->fields[*field].help;
+  std::string label =
+      fmt::format("{} ({})", help.substr(0, help.find_first_of(",;:(")), name);
+  return label.size() <= longest ? label : name;
+}
+
 post::Chart parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
                             post::ChartLine line, const std::string& y_label) {
   if (std::none_of(line.y.begin(), line.y.end(),
                    [](double y) { return std::isfinite(y); }))
     return {};
   post::Chart chart;
-  chart.x_label = ensemble.parameters[*analysis.compared];
+  chart.x_label = parameter_label(ensemble.parameters[*analysis.compared]);
   chart.panels = {{y_label, {std::move(line)}}};
   return chart;
 }
@@ -210,10 +231,12 @@ post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis
     line.low.push_back(found.interval.low);
     line.high.push_back(found.interval.high);
   }
-  line.legend = what.is_share ? "share of the runs, with 95 % interval"
-                              : "mean, with 95 % interval";
+  line.legend = what.label;
+  line.band_legend =
+      what.is_share ? "95 % interval (Wilson)" : "95 % interval of the mean";
   return parameter_chart(ensemble, analysis, std::move(line),
-                         what.is_share ? "share" : with_unit("mean", what.unit));
+                         what.is_share ? "share of runs"
+                                       : with_unit("mean", what.unit));
 }
 
 post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
@@ -235,7 +258,8 @@ post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
     line.low.push_back(summary.mean_interval.low);
     line.high.push_back(summary.mean_interval.high);
   }
-  line.legend = fmt::format("difference from {}, with 95 % interval", reference);
+  line.legend = fmt::format("{}: from {}", what.label, reference);
+  line.band_legend = "95 % interval of the mean difference";
   return parameter_chart(ensemble, analysis, std::move(line),
                          with_unit("difference", what.unit));
 }

@@ -87,6 +87,47 @@ TEST(HtmlText, PicturesHaveTheirOwnIdentifiers) {
       "<svg><g id=\"f1-c\"/><use clip=\"url(#f1-c)\" xlink:href=\"#f1-c\"/></svg>");
 }
 
+TEST(Chart, LegendThatIsTooLongForTheSideIsAboveThePanel) {
+  const auto svg = [](const std::string& legend, const std::string& width) {
+    post::ChartLine points{legend, {0.2, 0.3}, {0.1, 0.5}, {0.0, 0.3}, {0.3, 0.7}};
+    points.form = post::ChartLine::Form::intervals;
+    points.band_legend = "95 % interval (Wilson)";
+    const post::Chart chart{"", "", "x", {{"share of runs", {points}}}};
+    return post::chart_svg(chart, post::PageSize::in_print(width));
+  };
+  const std::string words = "largest overlap, largest over time above 0.0002 L";
+  for (const char* width : {"85mm", "175mm"}) {
+    EXPECT_THAT(svg(words, width), HasSubstr(">" + words + "</text>")) << "is cut";
+    EXPECT_THAT(svg(words, width), HasSubstr(">95 % interval (Wilson)</text>"));
+  }
+}
+
+// A share used to be drawn against "FRICTN.fric", with "share" at the other axis.
+TEST(Chart, AgainstAParameterNamesItsAxes) {
+  Ensemble ensemble;
+  ensemble.parameters = {"FRICTN.fric"};
+  ensemble.columns = {{{}, "overlap above 0.1", "", true}};
+  Analysis analysis;
+  analysis.compared = 0;
+  analysis.axis = {0.2, 0.4};
+  for (const double share : {0.25, 0.5}) {
+    ColumnStatistics column;
+    column.summary.mean = share;
+    column.interval = {share - 0.2, share + 0.2};
+    analysis.groups.emplace_back().columns = {column};
+  }
+  post::Chart chart = against_parameter(ensemble, analysis, 0);
+  ASSERT_EQ(chart.panels.size(), 1U);
+  EXPECT_EQ(chart.x_label, "coefficient of friction (FRICTN.fric)");
+  EXPECT_EQ(chart.panels[0].y_label, "share of runs");
+  const post::ChartLine& points = chart.panels[0].lines.at(0);
+  EXPECT_EQ(points.legend, "overlap above 0.1");
+  EXPECT_EQ(points.band_legend, "95 % interval (Wilson)");
+  EXPECT_THAT(points.low, ElementsAre(0.25 - 0.2, 0.5 - 0.2));
+  ensemble.parameters = {"variant"};
+  EXPECT_EQ(against_parameter(ensemble, analysis, 0).x_label, "variant");
+}
+
 TEST(Chart, LongTickLabelsDoNotReachTheLabelOfTheAxis) {
   const auto left_edge = [](double low, double high) {
     post::Chart chart;
