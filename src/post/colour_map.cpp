@@ -104,6 +104,20 @@ Colour intensity(double s) {
   return interpolate(stops, s);
 }
 
+Colour ColourMap::at(double s) const {
+  const double at = first + (last - first) * std::clamp(s, 0.0, 1.0);
+  return stops(reversed ? 1.0 - at : at);
+}
+
+ColourMap ColourMap::for_range(double low, double high) const {
+  ColourMap part = *this;
+  if (diverging && low == 0.0)
+    part.first = 0.5;
+  else if (diverging && high == 0.0)
+    part.last = 0.5;
+  return part;
+}
+
 ColourMap colour_map(const std::string& name) {
   const bool reversed = name.ends_with("_r");
   const std::string plain = reversed ? name.substr(0, name.size() - 2) : name;

@@ -26,9 +26,13 @@ struct ColourMap {
   Colour (*stops)(double s);
   bool diverging = false;  ///< zero has the colour in the middle
   bool reversed = false;
+  double first = 0.0, last = 1.0;  ///< the part of the stops that is used
 
   /// Returns the colour at s, 0 <= s <= 1 (clamped).
-  Colour at(double s) const { return stops(reversed ? 1.0 - s : s); }
+  Colour at(double s) const;
+  /// Returns the map for a range of values. That of a diverging map is its half if the
+  /// range begins or ends at 0, so that zero keeps the colour in the middle.
+  ColourMap for_range(double low, double high) const;
 };
 
 /// Returns the map of that name; a name that ends in _r has the colours in reverse.

@@ -80,8 +80,12 @@ class Legend {
     if (!by_material(options_)) {
       const Quantity shown =
           quantity(options_.colour, picture_.now, picture_.first, picture_.contacts);
-      bar(shown.label, shown.dimension, scales_.colours, each,
-          [map = map_of(options_, shown.zero)](double s) { return map.at(s); });
+      const ColourMap map = map_of(options_, shown.zero, scales_.colours);
+      if (scales_.is_zero)
+        zero(shown.label, shown.dimension, each, map.at(scales_.colours.place(0.0)));
+      else
+        bar(shown.label, shown.dimension, scales_.colours, each,
+            [&](double s) { return map.at(s); });
     }
     if (scales_.slip > 0.0)
       bar("slip", {1, 0, 0, "m", ""}, {0.0, scales_.slip}, each, slip_colour);
@@ -221,6 +225,17 @@ class Legend {
     pen_.text(fmt::format("{:.3g} {}", scales_.arrow, unit), place_.x, y_ + 22, 13, ink,
               0, 0.5, room());
     y_ += 42;
+  }
+
+  /// Draws the one colour of a quantity that is 0 everywhere, in the room of a bar.
+  void zero(const std::string& label, const Dimension& dimension, double room,
+            const Colour& colour) {
+    const double end = y_ + (place_.below ? low_bar : room);
+    y_ += 4 + pen_.paragraph(with_unit(label, dimension, options_), place_.x, y_, 14,
+                             ink, this->room());
+    swatch(colour, false, "0 everywhere");
+    across_ = 0.0;
+    y_ = end;
   }
 
   void bar(const std::string& label, const Dimension& dimension,

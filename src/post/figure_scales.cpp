@@ -121,9 +121,13 @@ ValueRange ScaleSurvey::colours() const {
     constexpr int decades = 4;  // with more, neighbouring decades look the same
     range = ValueRange::of_decades(0.0, most_, decades);
   } else if (least_ <= most_) {
-    range.low =
-        centred_ ? -std::max(std::abs(least_), std::abs(most_)) : std::min(0.0, least_);
-    range.high = centred_ ? -range.low : most_;
+    range.low = std::min(0.0, least_);
+    range.high = most_;
+    if (centred_) {  // values of one sign need only half of the colours
+      const double largest = std::max(std::abs(least_), std::abs(most_));
+      range.low = least_ < 0.0 ? -largest : 0.0;
+      range.high = most_ > 0.0 ? largest : 0.0;
+    }
     if (!(range.high > range.low)) {  // all values are equal
       range.high = range.low + 1.0;
       if (centred_)
@@ -163,6 +167,7 @@ FigureScales ScaleSurvey::scales() const {
         "every stress is 0: RIGID blocks have no stress, and other blocks have none "
         "before they deform; choose another quantity or time");
   result.colours = colours();
+  result.is_zero = least_ == 0.0 && most_ == 0.0 && !options_.range;
   result.force = usual(forces_);
   result.arrow = usual(arrows_);
   result.block_size = block_size_;
@@ -195,6 +200,10 @@ ColourMap map_of(const FigureOptions& options, Zero zero) {
   if (options.colour_map.empty())
     return colour_map(usual_colour_map(zero));
   return colour_map(options.colour_map);
+}
+
+ColourMap map_of(const FigureOptions& options, Zero zero, const ValueRange& range) {
+  return map_of(options, zero).for_range(range.low, range.high);
 }
 
 std::set<int> materials_of(const ResultsReader& results) {

@@ -30,6 +30,7 @@ struct Picture {
 struct FigureScales {
   Eigen::Vector4d view{0, 1, 0, 1};  ///< xmin, xmax, ymin, ymax [L]
   ValueRange colours;
+  bool is_zero = false;  ///< the quantity is 0 in all blocks and pictures
   double force =
       0.0;  ///< [F] drawn at full width: the median of the largest of each picture
   double arrow =
@@ -77,6 +78,8 @@ FigureScales survey_scales(const ResultsReader& results,
 
 /// Returns the colour map of the options, or the usual one for the quantity.
 ColourMap map_of(const FigureOptions& options, Zero zero);
+/// Returns the part of that map that shows this range.
+ColourMap map_of(const FigureOptions& options, Zero zero, const ValueRange& range);
 
 /// Returns the materials of all blocks.
 std::set<int> materials_of(const ResultsReader& results);

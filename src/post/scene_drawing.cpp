@@ -102,7 +102,8 @@ class SceneDrawing {
       return colour_of_material(now_.material[b], options_);
     const double value =
         (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
-    return map_of(options_, shown_.zero).at(scales_.colours.place(value));
+    const ValueRange& range = scales_.colours;
+    return map_of(options_, shown_.zero, range).at(range.place(value));
   }
 
   void block(std::size_t b) {

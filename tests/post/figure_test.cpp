@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,6 +17,7 @@
 #include "output/results.hpp"
 #include "post/axes.hpp"
 #include "post/colour_map.hpp"
+#include "post/figure_scales.hpp"
 #include "post/page_file.hpp"
 #include "post/pen.hpp"
 #include "post/quantity.hpp"
@@ -132,6 +134,53 @@ TEST(Figure, ReversesVectorsInTheMirrorImage) {
             left = pixels_of(path, diverging(1.0 / 8));
   EXPECT_GT(left, 10000);
   EXPECT_NEAR(left, right, 0.02 * right);
+}
+
+// Stresses from 0 to 8 had a bar from -8 to 8, half of it without a value.
+TEST(Figure, ValuesOfOneSignHaveHalfOfADivergingMap) {
+  Frame frame = two_squares();
+  FigureOptions options;
+  options.colour = "VELX";
+  const auto scales = [&](double first, double second) {
+    frame.velocity.row(0) << first, second;
+    ScaleSurvey survey(options);
+    const FrameContacts none;
+    survey.include({frame, frame, none});
+    return survey.scales();
+  };
+  const auto colour = [&](const ValueRange& range, double value) {
+    const Colour at = map_of(options, Zero::middle, range).at(range.place(value));
+    return std::array{at.r, at.g, at.b};
+  };
+  const auto all = [](const Colour& c) { return std::array{c.r, c.g, c.b}; };
+  const ValueRange above = scales(3, 8).colours, below = scales(-8, -3).colours,
+                   both = scales(-3, 8).colours;
+  EXPECT_EQ(above.low, 0.0);
+  EXPECT_EQ(above.high, 8.0);
+  EXPECT_EQ(below.low, -8.0);
+  EXPECT_EQ(below.high, 0.0);
+  EXPECT_EQ(both.low, -8.0);
+  EXPECT_EQ(both.high, 8.0);
+  for (const ValueRange& range : {above, below, both})
+    EXPECT_EQ(colour(range, 0), all(diverging(0.5)));
+  EXPECT_EQ(colour(above, 8), all(diverging(1)));
+  EXPECT_EQ(colour(below, -8), all(diverging(0)));
+}
+
+TEST(Figure, AQuantityThatIsZeroEverywhereHasNoBar) {
+  const Folder folder;
+  const std::string path = folder.file("zero.svg");
+  Frame frame = two_squares();
+  frame.velocity.setZero();
+  for (const char* name : {"VELX", "speed"}) {
+    FigureOptions options;
+    options.colour = name;
+    draw_frame(path, frame, frame, "at rest", options);
+    EXPECT_NE(content(path).find(">0 everywhere<"), std::string::npos) << name;
+    options.range = Eigen::Vector2d(0, 4);
+    draw_frame(path, frame, frame, "at rest", options);
+    EXPECT_EQ(content(path).find(">0 everywhere<"), std::string::npos) << name;
+  }
 }
 
 TEST(ColourMap, IsMonotoneInLuminanceForMagnitudes) {

@@ -10,7 +10,10 @@ function colour_map(q) {
 /// Returns the range over all frames. It includes zero, which is the middle of a diverging map.
 function automatic_range(q) {
   let [low, high] = ranges[q.name];
-  if (colour_map(q).diverging) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
+  if (colour_map(q).diverging) {  // values of one sign need only half of the colours
+    const most = Math.max(Math.abs(low), Math.abs(high));
+    [low, high] = [low < 0 ? -most : 0, high > 0 ? most : 0];
+  }
   else if (!is_place(q.name)) low = Math.min(low, 0);
   return high > low ? [low, high] : colour_map(q).diverging ? [-1, 1] : [low, low + 1];
 }
@@ -20,12 +23,20 @@ function colour_range(q) {
   return [typed[0] ?? low, typed[1] ?? high];
 }
 
+/// Returns the colours of a range. Those of a diverging map are one half of it if the range begins or
+/// ends at 0, so that zero keeps the colour in the middle.
+function colours_of(q, [low, high]) {
+  const {diverging, colours} = colour_map(q), middle = (colours.length - 1) / 2;
+  if (!diverging || (low !== 0 && high !== 0)) return colours;
+  return low === 0 ? colours.slice(middle) : colours.slice(0, middle + 1);
+}
+
 /// Returns a function that gives the colour of a block of that half in that frame.
 function shades_at(f, half) {
   if (state.colour === "material") return (b) => meta.materials[meta.material[b]];
   if (state.colour === "family") return (b) => meta.family_colours[family_of(b, f)];
   if (state.colour === "bond") return (b) => mixed(meta.materials[meta.material[b]], 1, 0.3);
-  const q = quantity(state.colour), {colours} = colour_map(q), [low, high] = colour_range(q);
+  const q = quantity(state.colour), [low, high] = colour_range(q), colours = colours_of(q, [low, high]);
   const last = colours.length - 1, seen = half === corners ? (v) => v : (v) => in_mirror(q, v);
   return (b) => {
     const part = (seen(value(q.name, b, f)) - low) / (high - low);

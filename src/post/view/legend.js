@@ -26,8 +26,12 @@ function legend_parts(wide) {
   else {
     const q = quantity(state.colour), [low, high] = colour_range(q), [least, most] = ranges[q.name];
     const marks = [...state.picked, hovered.block].filter((b) => b >= 0 && exists(b, state.frame));
-    parts.push({
-      ...label_ticks(low, high, ticks, q.label, q.unit), low, high, bar, colours: colour_map(q).colours,
+    const colours = colours_of(q, [low, high]);
+    if (least === 0 && most === 0)
+      parts.push({title: `${q.label}${q.unit ? ` [${q.unit}]` : ""}`, swatches: [
+        {name: "0 everywhere", shade: colours[Math.round(Math.max(0, -low / (high - low)) * (colours.length - 1))]}]});
+    else parts.push({
+      ...label_ticks(low, high, ticks, q.label, q.unit), low, high, bar, colours,
       is_cut: [least < low, most > high], marks: marks.map((b) => value(q.name, b, state.frame))});
   }
   if (state.forces && meta.largest_force > 0) {
