@@ -86,6 +86,19 @@ std::vector<long> chosen_frames(const post::ResultsReader& results,
   return {between.back()};
 }
 
+/// Prints the times of the frames that differ from those asked for. A figure in print
+/// has only its own times.
+void print_other_times(const post::ResultsReader& results,
+                       const std::vector<long>& frames,
+                       const post::FigureOptions& figure) {
+  for (std::size_t i = 0; i < figure.asked_times.size(); ++i) {
+    const double time = results.times()[static_cast<std::size_t>(frames[i])];
+    const std::string text = post::time_text(time, figure.asked_times[i], figure.units);
+    if (text != post::time_text(time, std::nullopt, figure.units))
+      fmt::print("{}\n", text);
+  }
+}
+
 /// Checks the extension of the output before any file is read.
 void check_ending(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
@@ -363,6 +376,8 @@ int plot(PlotOptions options) {
       options.figure.asked_times = options.times;
       post::draw_figure(options.output, results, frames, options.figure);
       fmt::print("{}\n", options.output);
+      if (options.figure.page.printed)
+        print_other_times(results, frames, options.figure);
     }
     return run::done;
   } catch (const std::runtime_error& error) {

@@ -24,7 +24,13 @@ constexpr double least_column = 32;  ///< width of an entry if there are many ma
 constexpr std::size_t few_materials = 10, most_materials = 90;
 constexpr double cell = 116, cell_line = 20;  ///< an entry of a legend below
 constexpr double low_bar = 62;                ///< height of a bar in a legend below
+constexpr double tip_length = 6;              ///< of a bar that cuts values
 constexpr double arrow_line = 26;             ///< height of the arrow in a legend below
+
+/// The ends of a bar beyond which there are values.
+struct Cut {
+  bool low = false, high = false;
+};
 
 bool by_material(const FigureOptions& options) { return !options.shows_quantity(); }
 bool with_forces(const FigureScales& scales, const FigureOptions& options) {
@@ -85,7 +91,7 @@ class Legend {
         zero(shown.label, shown.dimension, each, map.at(scales_.colours.place(0.0)));
       else
         bar(shown.label, shown.dimension, scales_.colours, each,
-            [&](double s) { return map.at(s); });
+            [&](double s) { return map.at(s); }, {scales_.cuts_low, scales_.cuts_high});
     }
     if (scales_.slip > 0.0)
       bar("slip", {1, 0, 0, "m", ""}, {0.0, scales_.slip}, each, slip_colour);
@@ -161,7 +167,7 @@ class Legend {
       line_swatch(failed ? slip_colour(scales_.slip > 0.0 ? 0.5 : 0.0) : bonded_colour,
                   3.0, quantities::word(bond));
     }
-    line_swatch(no_joint_colour, 1.0, "open, or no law");
+    line_swatch(no_joint_colour, 1.0, "other");  // open, or without a law
   }
 
   std::string material_text(int material) const {
@@ -238,11 +244,23 @@ class Legend {
     y_ = end;
   }
 
+  /// Draws a triangle with its base from a to b that points outwards to c.
+  void tip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+           const Colour& colour) {
+    cairo_move_to(cairo_, a.x(), a.y());
+    cairo_line_to(cairo_, c.x(), c.y());
+    cairo_line_to(cairo_, b.x(), b.y());
+    cairo_close_path(cairo_);
+    pen_.colour(colour);
+    cairo_fill_preserve(cairo_);
+    pen_.stroke(0.8, ink);
+  }
+
   void bar(const std::string& label, const Dimension& dimension,
            const ValueRange& range, double room,
-           const std::function<Colour(double)>& colour) {
+           const std::function<Colour(double)>& colour, Cut cut = {}) {
     if (place_.below) {
-      bar_along(label, dimension, range, colour);
+      bar_along(label, dimension, range, colour, cut);
       return;
     }
     const double width = 22, end = y_ + room;
@@ -253,6 +271,11 @@ class Legend {
     const double top = y_ + 10, height = end - 24 - top;
     fill_bar(cairo_pattern_create_linear(0, top + height, 0, top),
              {place_.x, top, width, height}, colour);
+    const double x = place_.x, middle = x + 0.5 * width, bottom = top + height;
+    if (cut.high)
+      tip({x, top}, {x + width, top}, {middle, top - tip_length}, colour(1.0));
+    if (cut.low)
+      tip({x, bottom}, {x + width, bottom}, {middle, bottom + tip_length}, colour(0.0));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = top + height * (1.0 - range.place(marked.ticks[i]));
       cairo_move_to(cairo_, place_.x + width, y);
@@ -266,14 +289,20 @@ class Legend {
 
   /// Draws a bar from left to right with its label above it and numbers below it.
   void bar_along(const std::string& label, const Dimension& dimension,
-                 const ValueRange& range, const std::function<Colour(double)>& colour) {
-    constexpr double thick = 11, margin = 6;
+                 const ValueRange& range, const std::function<Colour(double)>& colour,
+                 Cut cut) {
+    constexpr double thick = 11, margin = tip_length;
     const double left = place_.x + margin, width = room() - 2 * margin, top = y_ + 20;
     const TickLabels marked = range.ticks(std::max(3, static_cast<int>(width / 70)));
     pen_.text(marked.titled(with_unit(label, dimension, options_)), left, y_ + 8, 14,
               ink, 0, 0.5, width);
     fill_bar(cairo_pattern_create_linear(left, 0, left + width, 0),
              {left, top, width, thick}, colour);
+    const double end = left + width, middle = top + 0.5 * thick;
+    if (cut.high)
+      tip({end, top}, {end, top + thick}, {end + tip_length, middle}, colour(1.0));
+    if (cut.low)
+      tip({left, top}, {left, top + thick}, {left - tip_length, middle}, colour(0.0));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double x = left + width * range.place(marked.ticks[i]);
       cairo_move_to(cairo_, x, top + thick);

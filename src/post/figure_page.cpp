@@ -45,16 +45,32 @@ std::string cracks_text(const Frame& now) {
              : "";
 }
 
-FigureMargins margins_of(const PageSize& page, bool titled) {
+/// True if a line below the title is drawn. A figure in print without a title has only
+/// the line that is asked for, because its caption says the rest.
+bool has_subtitle(const FigureOptions& options) {
+  return !options.subtitle.empty() || !options.page.printed ||
+         !options.title.has_value() || !options.title->empty();
+}
+
+FigureMargins margins_of(const FigureOptions& options, bool titled) {
+  const PageSize& page = options.page;
   FigureMargins found;
   if (page.printed)
     found = {76, page.width < narrow ? 14.0 : 128.0, 24, 44, 54, 60};
+  const double line = found.subtitle - found.title;
   if (!titled) {
-    const double line = found.subtitle - found.title;
     found.subtitle -= line;
     found.top -= line;
   }
+  if (!has_subtitle(options))
+    found.top -= line;
   return found;
+}
+
+/// Returns the ticks of the y axis.
+TickLabels ticks_up(const Axes& axes) {
+  return label_ticks(axes.ymin, axes.ymax,
+                     std::max(2, static_cast<int>(axes.height / 70)));
 }
 
 }  // namespace
@@ -63,15 +79,33 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
                        const FigureOptions& options)
     : count_(count), title_(options.title.value_or(title.empty() ? "BLOCKS" : title)),
       scales_(scales), options_(options),
-      margins_(margins_of(options.page, !title_.empty())),
+      margins_(margins_of(options, !title_.empty())),
       below_(options.page.printed && options.page.width < narrow) {
+  lay_out();
+  if (!options.page.printed)
+    return;
+  // Short numbers at the y axis leave more room for the picture.
+  constexpr double letter = 9, least = 18;  // [units]
+  std::size_t longest = 0;
+  for (const std::string& label : ticks_up(axes(0)).labels)
+    longest = std::max(longest, label.size());
+  const double room =
+      std::clamp(letter * static_cast<double>(longest), least, numbers_);
+  margins_.left -= numbers_ - room;
+  numbers_ = room;
+  lay_out();
+}
+
+void FigurePage::lay_out() {
+  const FigureOptions& options = options_;
+  const std::size_t count = count_;
   const double page = options.page.width, fixed_height = options.page.height;
   const double left = margins_.left, right = margins_.right, top = margins_.top;
   const double foot =
       margins_.foot +
-      (below_ ? legend_height_below(scales, options, page - left - right) + 8 : 0.0);
+      (below_ ? legend_height_below(scales_, options, page - left - right) + 8 : 0.0);
   const double shape = [&] {
-    const Axes one(scales.view, 0, 0, 1);
+    const Axes one(scales_.view, 0, 0, 1);
     return one.height;
   }();
   double best = 1e300;
@@ -88,7 +122,7 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
     const double needed =
         top + foot +
         std::max(rows * (width * shape + above),
-                 below_ ? 0.0 : legend_height(scales, options) - 0.5 * foot);
+                 below_ ? 0.0 : legend_height(scales_, options) - 0.5 * foot);
     const double height = fixed_height > 0.0 ? fixed_height : needed;
     // Choose the page closest to a landscape sheet, with few empty cells; on a page of
     // fixed height choose the largest pictures.
@@ -134,12 +168,13 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
   draw_scene(pen, here, picture, scales_, options_);
   rulers(pen, here, i + columns_ >= count_, i % columns_ == 0);
   const auto& asked = options_.asked_times;
-  const std::string at = time_text(
-      picture.now.time, i < asked.size() ? std::optional(asked[i]) : std::nullopt,
-      options_.units);
+  const bool is_asked = i < asked.size() && !options_.page.printed;
+  const std::string at =
+      time_text(picture.now.time, is_asked ? std::optional(asked[i]) : std::nullopt,
+                options_.units);
   if (count_ > 1)
     pen.text(at, here.left, here.top - 9, 15, muted, 0, 1);
-  else
+  else if (has_subtitle(options_))
     pen.text(options_.subtitle.empty()
                  ? fmt::format("{}    step {}    {}{}{}", at, picture.now.step,
                                counted(present(picture.now), "block"),
@@ -154,7 +189,7 @@ void FigurePage::end(Pen& pen, const Picture& last) const {
   const Axes first = axes(0), lowest = axes(count_ - 1);
   const double right_of_pictures = axes(std::min(count_, columns_) - 1).right();
   const double width = options_.page.width - margins_.left - margins_.right;
-  if (count_ > 1)
+  if (count_ > 1 && has_subtitle(options_))
     pen.text(!options_.subtitle.empty()
                  ? options_.subtitle
                  : counted(count_, "time") +
@@ -193,15 +228,20 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
       label_ticks(axes.xmin, axes.xmax, std::max(3, static_cast<int>(axes.width / 97)));
   for (std::size_t i = 0; i < xs.ticks.size(); ++i) {
     tick(axes.x(xs.ticks[i]), axes.bottom(), 0, along_x ? 6 : -5);
-    if (along_x)
-      pen.text(xs.labels[i], axes.x(xs.ticks[i]), axes.bottom() + 11, 14, ink, 0.5, 0);
+    if (!along_x)
+      continue;
+    // The last label may be wider than the margin.
+    constexpr double edge = 4;
+    const double most = options_.page.width - edge - 0.5 * pen.width(xs.labels[i], 14);
+    pen.text(xs.labels[i], std::min(axes.x(xs.ticks[i]), most), axes.bottom() + 11, 14,
+             ink, 0.5, 0);
   }
-  const TickLabels ys = label_ticks(axes.ymin, axes.ymax,
-                                    std::max(2, static_cast<int>(axes.height / 70)));
+  const TickLabels ys = ticks_up(axes);
   for (std::size_t i = 0; i < ys.ticks.size(); ++i) {
     tick(axes.left, axes.y(ys.ticks[i]), along_y ? -6 : 5, 0);
     if (along_y)
-      pen.text(ys.labels[i], axes.left - 11, axes.y(ys.ticks[i]), 14, ink, 1, 0.5, 46);
+      pen.text(ys.labels[i], axes.left - 11, axes.y(ys.ticks[i]), 14, ink, 1, 0.5,
+               numbers_);
   }
   if (along_x) {
     pen.text(xs.offset, axes.right(), axes.bottom() + 38, 14, ink, 1, 0);
@@ -209,8 +249,9 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
              axes.bottom() + 38, 15, ink, 0.5, 0);
   }
   if (along_y) {
-    pen.text(ys.offset, axes.left - 66, axes.top - 5, 14, ink, 0, 1);
-    pen.upright(ys.titled(with_unit("y", length, options_)), axes.left - 66,
+    const double label = axes.left - numbers_ - 20;
+    pen.text(ys.offset, label, axes.top - 5, 14, ink, 0, 1);
+    pen.upright(ys.titled(with_unit("y", length, options_)), label,
                 axes.top + axes.height / 2, 15, ink, axes.height);
   }
 }

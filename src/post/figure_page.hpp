@@ -31,6 +31,8 @@ class FigurePage {
   void end(Pen& pen, const Picture& picture) const;
 
  private:
+  /// Chooses the columns and the size of the pictures within the margins.
+  void lay_out();
   Axes axes(std::size_t i) const;
   void rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) const;
 
@@ -39,6 +41,7 @@ class FigurePage {
   const FigureScales& scales_;
   const FigureOptions& options_;
   FigureMargins margins_;
+  double numbers_ = 46;                ///< room for those of the y axis [units]
   bool below_;                         ///< the legend is below the pictures
   double width_ = 0.0, height_ = 0.0;  ///< of a plot, of the page
 };

@@ -167,6 +167,10 @@ FigureScales ScaleSurvey::scales() const {
         "every stress is 0: RIGID blocks have no stress, and other blocks have none "
         "before they deform; choose another quantity or time");
   result.colours = colours();
+  if (options_.range) {
+    result.cuts_low = least_ < result.colours.low && least_ <= most_;
+    result.cuts_high = most_ > result.colours.high;
+  }
   result.is_zero = least_ == 0.0 && most_ == 0.0 && !options_.range;
   result.force = usual(forces_);
   result.arrow = usual(arrows_);

@@ -30,6 +30,7 @@ struct Picture {
 struct FigureScales {
   Eigen::Vector4d view{0, 1, 0, 1};  ///< xmin, xmax, ymin, ymax [L]
   ValueRange colours;
+  bool cuts_low = false, cuts_high = false;  ///< values lie beyond the range asked for
   bool is_zero = false;  ///< the quantity is 0 in all blocks and pictures
   double force =
       0.0;  ///< [F] drawn at full width: the median of the largest of each picture

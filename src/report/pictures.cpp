@@ -32,8 +32,11 @@ std::string picture(const Ensemble& ensemble, const RunRow& row,
   options.units = ensemble.units;
   options.material_names = results.material_names();
   options.title = "";
-  if (with_first)
-    options.subtitle = blocks_text(results);
+  options.subtitle = blocks_text(results);
+  if (!with_first)
+    options.subtitle =
+        post::time_text(results.frame(last).time, std::nullopt, ensemble.units) +
+        "    " + options.subtitle;
   if (results.frame(last).size() <= most_drawn_blocks)
     return post::figure_svg(results, frames, options);
   return fmt::format("<img alt=\"the blocks\" src=\"data:image/png;base64,{}\">",

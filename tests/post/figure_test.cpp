@@ -183,6 +183,72 @@ TEST(Figure, AQuantityThatIsZeroEverywhereHasNoBar) {
   }
 }
 
+TEST(Figure, SaysWhichEndsOfTheRangeCutValues) {
+  Frame frame = two_squares();
+  FigureOptions options;
+  options.colour = "VELX";
+  frame.velocity.row(0) << 3, 8;
+  const auto cuts = [&](double low, double high) {
+    options.range = Eigen::Vector2d(low, high);
+    ScaleSurvey survey(options);
+    const FrameContacts none;
+    survey.include({frame, frame, none});
+    const FigureScales scales = survey.scales();
+    return std::pair{scales.cuts_low, scales.cuts_high};
+  };
+  EXPECT_EQ(cuts(3, 8), std::pair(false, false));
+  EXPECT_EQ(cuts(4, 8), std::pair(true, false));
+  EXPECT_EQ(cuts(0, 7), std::pair(false, true));
+}
+
+/// Returns a figure of the two squares in print, one column wide.
+std::string in_print(FigureOptions options) {
+  const Folder folder;
+  const Frame frame = two_squares();
+  options.page = PageSize::in_print("85mm");
+  draw_frame(folder.file("a.svg"), frame, frame, "two squares", options);
+  return content(folder.file("a.svg"));
+}
+
+// A caption says what the lines above a figure in print would say.
+TEST(Figure, InPrintWithoutATitleHasNoLineOfTimeAndStep) {
+  FigureOptions options;
+  EXPECT_THAT(in_print(options), HasSubstr("step 0"));
+  options.asked_times = {1.43};
+  EXPECT_THAT(in_print(options), HasSubstr(">t = 0    step"))
+      << "the time asked for is printed on the terminal";
+  options.title = "";
+  EXPECT_THAT(in_print(options), Not(HasSubstr("step 0")));
+  options.subtitle = "after a second";
+  EXPECT_THAT(in_print(options), HasSubstr(">after a second<"));
+}
+
+// The axis took a fifth of the width, whatever its numbers were.
+TEST(Figure, InPrintHasNoMoreRoomForNumbersThanTheyNeed) {
+  const auto end_of_numbers = [](const std::string& svg) {
+    std::smatch found;
+    const std::regex number(R"re(<text x="([0-9.]+)"[^>]*text-anchor="end")re");
+    return std::regex_search(svg, found, number) ? std::stod(found[1]) : 0.0;
+  };
+  FigureOptions options;
+  const double low = end_of_numbers(in_print(options));
+  options.zoom = Eigen::Vector4d(0, 4000, 8000, 10000);
+  EXPECT_GT(end_of_numbers(in_print(options)), low + 5.0);
+}
+
+TEST(Figure, LastNumberOfTheAxisDoesNotTouchTheEdge) {
+  FigureOptions options;
+  options.zoom = Eigen::Vector4d(0, 4000, 0, 2000);
+  const std::string svg = in_print(options);
+  std::smatch width, number;
+  ASSERT_TRUE(std::regex_search(svg, width, std::regex(R"re(width="([0-9.]+)pt")re")));
+  const std::regex last(
+      R"re(<text x="([0-9.]+)"[^>]*text-anchor="middle"[^>]*>4000<)re");
+  ASSERT_TRUE(std::regex_search(svg, number, last)) << svg;
+  constexpr double half_of_number = 8.9;  // four digits of 7 pt
+  EXPECT_LT(std::stod(number[1]) + half_of_number, std::stod(width[1]) - 1.5);
+}
+
 TEST(ColourMap, IsMonotoneInLuminanceForMagnitudes) {
   for (const char* name :
        {"ylgnbu", "viridis", "cividis", "grey", "viridis_r", "cividis_r"}) {
