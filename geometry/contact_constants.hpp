@@ -43,9 +43,14 @@ inline constexpr double third_reach = 1.0 / 128.0;
 inline constexpr double longest_way = 4.0;
 
 /// A third part hides an axis only if the part that is shifted out through the axis
-/// overlaps the third one by at least this share of the shift. Flush surfaces then
+/// overlaps the third one by at least this share of the shift. Flush surfaces may
 /// overlap by rounding only.
 inline constexpr double remaining_share = 0.02;
+
+/// And only if the two overlap then by at least this share of their present overlap. A
+/// shift that frees a part of both is a way out, not into a closed joint. Without it,
+/// blocks of a pile hide each other's sides and sink in.
+inline constexpr double remaining_overlap = 0.125;
 
 /// A released spring passes to another contact of the same pair only if the angle
 /// between the two edges has a larger cosine (18 degrees). Any value from 0 to

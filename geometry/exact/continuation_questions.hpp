@@ -179,13 +179,16 @@ template <class Number> class AxisQuestion {
     return which == Continues::own ? axis_.other : axis_.own;
   }
   /// Shifts one of the two polygons out of the other through the side of the axis. If
-  /// it then overlaps the third polygon by a share of the depth, returns how far it may
-  /// slide along the side until it leaves the third one.
+  /// the third polygon blocks that, because the two overlap by enough then, returns how
+  /// far it may slide along the side until it leaves the third one.
   std::optional<Range<Number>> slide_along(Outline third, Continues which) const {
     const Number sign(which == Continues::own ? 1 : -1);
     const Number depth = area_ / length2_;  // in lengths of the side
     const Arrow<Number> out = (sign * depth) * e_.along.left(), way = sign * e_.along;
-    const Number enough2 = square(Number(remaining_share) * area_);
+    const Number enough2 =
+        most(square(Number(remaining_share) * area_),
+             square(Number(remaining_overlap)) *
+                 separating_shift2<Number>(moving(which), third) * length2_);
     Range<Number> range;
     bool overlap = true;
     each_axis<Number>(moving(which), third,

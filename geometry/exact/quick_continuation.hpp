@@ -159,8 +159,8 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
 }
 
 /// Tells whether a polygon certainly does not overlap a third one after the shift
-/// through an axis, or by less than `remaining_share` of the shift. The question is the
-/// first condition of docs/contact-rule.md#hidden-axes.
+/// through an axis, or by less than `remaining_share` of the shift. So the third one
+/// does not block it: the first condition of docs/contact-rule.md#hidden-axes.
 inline bool is_free_after_shift(const PolygonAxis& axis, Outline third,
                                 Continues which) {
   const Line e = line_of(axis.own, axis.side);

@@ -41,7 +41,7 @@ const char* word(audit::Choice choice) {
   case audit::Choice::none:
     break;
   }
-  return "no axis left";
+  return "carried";
 }
 
 const char* word(audit::Bound bound) {
@@ -88,7 +88,7 @@ Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
         thirds.push_back(blocking(rule, third));
       one["blocking"] = thirds;
     }
-    one["acts"] = i == part.chosen;
+    one["acts"] = i == part.chosen && part.choice != audit::Choice::none;
     one["verdict"] = audit::verdict(rule, part, i);
     list.push_back(one);
   }

@@ -206,19 +206,21 @@ std::optional<FarBound> ExactPairRule::far_bound(const Pair& pair,
   return far_bound(pair, end_of(*axis.facing), axis.side);
 }
 
-/// Returns the first third part that overlaps one of the two at least half as deep as
-/// they overlap each other, and has a contact with it, or -1.
-int ExactPairRule::find_carrier(const Pair& pair) const {
+/// Returns the first third part that carries one of the two (step 4), or -1.
+int ExactPairRule::find_carrier(const Pair& pair, const Axis& least) const {
   for (const int own : pair.part)
     for (const int third : pair.thirds_of(own)) {
       const int other = own == pair.part[0] ? pair.part[1] : pair.part[0];
       if (pair.shift > Dyadic(geometry::deepest_share) *
                            separating_shift(shape_[other], shape_[third]))
         continue;
-      const bool in_order = parts_[third].block < parts_[other].block;
-      const PartDecision decision =
-          in_order ? find_axis(third, other) : find_axis(other, third);
-      if (std::any_of(decision.candidates.begin(), decision.candidates.end(),
+      const ThirdOf whose = own == least.side.part ? ThirdOf::own : ThirdOf::other;
+      const auto obstacle = find_obstacle(shapes_of(least), shape_[third], whose);
+      if (!obstacle || !obstacle->hides)
+        continue;
+      const PartDecision decision = find_axis(third, other);
+      if (!is_slight(decision) &&
+          std::any_of(decision.candidates.begin(), decision.candidates.end(),
                       [](const Candidate& one) { return one.acts; }))
         return third;
     }
@@ -248,13 +250,12 @@ std::vector<Blocking> ExactPairRule::blocking(const Pair& pair,
 }
 
 /// Determines whether an axis is skipped, far or hidden. The axis of least depth is
-/// neither skipped nor far.
+/// never far.
 void ExactPairRule::examine(const Pair& pair, Axis& axis, bool is_least) const {
   axis.examined = true;
   if (!is_least && axis.facing && !crosses(line(*axis.facing), shape_[axis.side.part]))
     axis.facing.reset();
-  axis.skipped = !is_least && axis.side.inner &&
-                 !crosses(line(axis.side), shape_[axis.deepest.part]);
+  axis.skipped = axis.side.inner;
   if (!axis.skipped && !is_least)
     axis.far = far_bound(pair, axis);
   if (!axis.skipped && !axis.far)
@@ -263,15 +264,29 @@ void ExactPairRule::examine(const Pair& pair, Axis& axis, bool is_least) const {
 
 PartDecision ExactPairRule::decide_parts(int part, int other) const {
   PartDecision decision = find_axis(part, other);
-  if (decision.choice != Choice::none)
+  const bool is_left = decision.choice != Choice::none;
+  if (is_left && !is_slight(decision))
     return decision;
-  const Pair pair = pair_of(part, other, depth_of(decision.axes.front()));
-  decision.carrier = find_carrier(pair);
-  if (decision.carrier >= 0)
-    return decision;
-  decision.choice = Choice::least, decision.chosen = 0;
-  decision.candidates = candidates(pair, decision.axes.front(), true);
+  const Axis& least = decision.axes.front();
+  const Pair pair = pair_of(part, other, depth_of(least));
+  decision.carrier = find_carrier(pair, least);
+  if (decision.carrier >= 0) {
+    decision.choice = Choice::none;
+    decision.candidates.clear();
+  } else if (!is_left) {
+    decision.choice = Choice::least, decision.chosen = 0;
+    decision.candidates = candidates(pair, least, true);
+  }
   return decision;
+}
+
+/// Returns whether the acting axis is not the least one, although the least one is not
+/// deeper than the slack.
+bool ExactPairRule::is_slight(const PartDecision& decision) const {
+  if (decision.chosen <= 0)
+    return false;
+  const Axis& least = decision.axes.front();
+  return !(depth_of(least) > slack_ * line(least.side).length());
 }
 
 ExactPairRule::Pair ExactPairRule::pair_of(int part, int other,

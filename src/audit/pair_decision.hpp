@@ -58,7 +58,7 @@ struct Axis {
   /// The members below have been determined, and a facing side that does not cross has
   /// been dropped.
   bool examined = false;
-  bool skipped = false;         ///< an inner side that does not cross the other part
+  bool skipped = false;         ///< of an inner side
   std::optional<FarBound> far;  ///< only if it is not skipped
   /// Only if it is not skipped and not far. If a third part hides it, that is the last
   /// one.
@@ -87,7 +87,7 @@ enum class Choice {
   touching,  ///< the least axis: its side separates them
   axis,      ///< the first axis that is neither skipped nor far nor hidden
   least,     ///< the least axis: there is no such axis, and no third part carries
-  none,      ///< nothing: there is no such axis, and a third part carries the block
+  none,      ///< nothing: a third part carries one of the two
 };
 
 /// The decision about two convex parts.
@@ -97,7 +97,7 @@ struct PartDecision {
   PartSide separating;      ///< the side that separates parts that are apart
   double separation = 0.0;  ///< [L] depth of that axis, below zero
   std::vector<Axis> axes;   ///< in ascending order of depth
-  int chosen = -1;          ///< an index into axes
+  int chosen = -1;          ///< an index into axes; -1: apart, or no axis is left
   int carrier = -1;         ///< the third part that carries, if nothing acts
   std::vector<Candidate> candidates;
 };

@@ -83,8 +83,10 @@ void add_axes(const ExactPairRule& rule, const PartDecision& decision, Lines& li
   }
   if (decision.choice == Choice::none)
     lines.add(0,
-              fmt::format("no axis is left: nothing acts, because {} carries: it has "
-                          "a contact with one of the two",
+              fmt::format("{}: nothing acts, because {}, which hides the least axis, "
+                          "carries one of the two",
+                          decision.chosen < 0 ? "no axis is left"
+                                              : "the least axis is within the slack",
                           name_of_part(rule, decision.carrier)));
   else if (decision.choice == Choice::least)
     lines.add(0, "no axis is left, and no third part carries: the least axis "
@@ -112,14 +114,16 @@ std::vector<std::string> verdict(const ExactPairRule& rule,
                 ? "not deeper than zero, so the side separates the two: acts"
                 : "not needed"};
   if (axis.skipped)
-    return {"skipped: the inner side does not cross the other part"};
+    return {"skipped: it is an inner side"};
   if (axis.far)
     return {words(*axis.far)};
   std::vector<std::string> found;
   for (const Blocking& third : axis.blocking)
     if (third.hides == axis.hidden())
       found.push_back(words(rule, axis, third));
-  if (!axis.hidden())
+  if (!axis.hidden() && decision.choice == Choice::none)
+    found.push_back("would act");
+  else if (!axis.hidden())
     found.push_back(std::any_of(decision.candidates.begin(), decision.candidates.end(),
                                 [](const Candidate& one) { return one.acts; })
                         ? "acts"

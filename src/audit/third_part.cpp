@@ -25,7 +25,8 @@ Whole foot(const Line& side, const Point& point) {
 struct Shifted {
   Shape part, third;
   Point forward;   ///< way of the part along the side, from its start to its end
-  Length overlap;  ///< depth of the least axis of the two, in the coarse lattice
+  Length before;   ///< the separating shift of the two before the shift
+  Length overlap;  ///< the depth of their least axis after it, in the coarse lattice
 
   Shifted(const ShapeAxis& axis, const Shape& third_part, ThirdOf whose) {
     const Line e = side_of(axis);
@@ -35,10 +36,13 @@ struct Shifted {
                    (way * e.area2(corner_of(axis))) * left_of(e.along));
     third = refined(third_part, fine, {0, 0});
     overlap = separating_shift(part, third) / fine;
+    before =
+        separating_shift(whose == ThirdOf::own ? axis.other : axis.own, third_part);
   }
   /// Returns whether the third part blocks the shift, which had the length `depth`.
   bool is_blocked(const Length& depth) const {
-    return overlap >= Dyadic(geometry::remaining_share) * depth;
+    return overlap >= Dyadic(geometry::remaining_share) * depth &&
+           overlap >= Dyadic(geometry::remaining_overlap) * before;
   }
   Ratio slide_forward() const { return way_out(part, forward, third); }
   Ratio slide_backward() const { return way_out(part, Whole(-1) * forward, third); }

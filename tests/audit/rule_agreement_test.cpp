@@ -86,6 +86,8 @@ struct Branches {
     ++count["pairs"];
     for (const audit::PartDecision& part : decision.parts) {
       add_choice(part.choice);
+      count["carried within the slack"] +=
+          part.choice == Choice::none && part.chosen >= 0;
       for (const audit::Axis& axis : part.axes)
         if (axis.examined)
           add_axis(axis, judge);
@@ -109,7 +111,7 @@ struct Branches {
       ++count["no axis left, least axis acts"];
       break;
     case Choice::none:
-      ++count["no axis left"];
+      ++count["carried"];
       break;
     }
   }
@@ -159,6 +161,8 @@ const std::map<std::string, int> least_count = {
     {"candidate beyond the end", 10000},
     {"candidate on an inner side", 200},
     {"candidate outside", 10000},
+    {"carried", 2000},
+    {"carried within the slack", 20},
     {"contact at a joint", 200},
     {"contact in a notch", 500},
     {"contacts", 10000},
@@ -174,11 +178,10 @@ const std::map<std::string, int> least_count = {
     {"hidden by third part of other in its block, no facing side", 1000},
     {"hidden by third part of own, facing side", 2000},
     {"hidden by third part of own, no facing side", 5000},
-    {"hidden by third part of own in its block, facing side", 500},
-    {"hidden by third part of own in its block, no facing side", 2000},
+    {"hidden by third part of own in its block, facing side", 100},
+    {"hidden by third part of own in its block, no facing side", 1000},
     {"inner side skipped", 1000},
     {"least axis touches", 2000},
-    {"no axis left", 2000},
     {"no axis left, least axis acts", 20},
     {"not hidden by third part of other, facing side", 100},
     {"not hidden by third part of other, no facing side", 5},

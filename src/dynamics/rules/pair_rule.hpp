@@ -105,49 +105,73 @@ template <class Predicates, class Neighbours> class PairRule {
     scratch_.candidates.clear();
     scratch_.room = std::numeric_limits<double>::infinity();
   }
-  /// Lets the first axis in the order of depth act that is neither far nor hidden. The
-  /// axis of least depth is never far. If none is left and no third part carries the
-  /// block, it acts although it is hidden.
+  /// What the search for the acting axis of two parts finds.
+  enum class Search { apart, axis, no_axis };
+
+  /// Tests the contacts of the acting axis, unless a third part carries one of the two.
   void decide_parts(int p, int q) {
-    if (!find_axis(p, q) && !is_carried())
-      touch(least_, shape_.find_facing(least_));
+    const Search search = find_axis(p, q);
+    const bool may_be_carried = search == Search::no_axis || is_slight();
+    if (search != Search::apart && !(may_be_carried && is_carried()))
+      touch(axis_, facing_);
   }
-  /// The same, but if no axis is left, nothing acts. Returns false in that case.
-  bool find_axis(int p, int q) {
+  /// Finds the first axis in the order of depth that is neither far nor hidden. The
+  /// axis of least depth is never far. If no axis is left, it acts although it is
+  /// hidden.
+  Search find_axis(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!shape_.find_axes(scratch_.axes)) {
+      axis_ = least_ = {};
       limit_room(shape_.separation());
-      return true;  // the two parts are apart
+      return Search::apart;
     }
     take_outlines();
-    Axis axis = least_ = shape_.take_least(scratch_.axes);
+    axis_ = least_ = shape_.take_least(scratch_.axes);
+    facing_ = shape_.find_facing(least_);
     limit_room(std::abs(shape_.depth(least_).value));
-    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0) {
-      touch(least_, shape_.find_facing(least_));
-      return true;
-    }
-    for (;; axis = shape_.take_least(scratch_.axes)) {
-      const std::optional<PairSide> facing = facing_of(axis);
-      if (!is_beyond_inner(axis) && !is_far(axis, facing) && !is_hidden(axis, facing)) {
-        touch(axis, facing);
-        return true;
-      }
+    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0)
+      return Search::axis;
+    for (;; axis_ = shape_.take_least(scratch_.axes)) {
+      facing_ = facing_of(axis_);
+      if (!shape_.at(axis_.side).is_inner && !is_far(axis_, facing_) &&
+          !is_hidden(axis_, facing_))
+        return Search::axis;
       if (scratch_.axes.empty())
-        return false;
+        break;
     }
+    axis_ = least_;
+    facing_ = shape_.find_facing(least_);
+    return Search::no_axis;
   }
-  /// Returns whether a third part overlaps one of the two at least half as deep as they
-  /// overlap each other, and a contact acts between these two.
+  /// Returns whether the acting axis is not the least one, although the two parts
+  /// overlap by no more than the slack: a corner may be beside a joint by rounding. The
+  /// room ends where this changes.
+  bool is_slight() {
+    if (axis_ == least_)
+      return false;
+    const Segment& e = shape_.at(least_.side);
+    limit_room(std::abs(shape_.depth(least_).value -
+                        geometry::contact_slack * (e.end - e.start).norm()));
+    return predicates_.near_or_inside(shape_.at(least_.corner).start, e.end, e.start);
+  }
+  /// Returns whether a third part carries one of the two: it hides the least axis,
+  /// overlaps that part at least half as deep as the two overlap each other, and has a
+  /// contact with it that is not slight.
   bool is_carried() {
     const Segment& e = shape_.at(least_.side);
     const Vec2& c = shape_.at(least_.corner).start;
+    const geometry::PolygonAxis least = as_polygons(least_, shape_.find_facing(least_));
     bool found = false;
-    for (const int k : {0, 1})
+    for (const int k : {0, 1}) {
+      const auto which =
+          k == least_.side.part ? geometry::Continues::own : geometry::Continues::other;
       thirds(k).each([&](int part, const geometry::Polygon& third) {
         found = found || (!geometry::exceeds_separating_shift(
                               c, e.start, e.end, scratch_.outline[1 - k], third) &&
+                          geometry::is_hidden_by(least, third, which) &&
                           has_contact(part, shape_.part(1 - k)));
       });
+    }
     return found;
   }
   bool has_contact(int p, int q) {
@@ -155,11 +179,14 @@ template <class Predicates, class Neighbours> class PairRule {
       scratch_.of_third = std::make_unique<PairScratch>();
     PairRule rule(blocks_, parts_, neighbours_, *scratch_.of_third);
     rule.clear();
-    if (parts_.block(p) < parts_.block(q))
-      rule.find_axis(p, q);
-    else
-      rule.find_axis(q, p);
-    return !scratch_.of_third->found.empty();
+    const bool in_order = parts_.block(p) < parts_.block(q);
+    const bool acts =
+        rule.find_axis(in_order ? p : q, in_order ? q : p) == Search::axis &&
+        !rule.is_slight();
+    if (acts)
+      rule.touch(rule.axis_, rule.facing_);
+    scratch_.room = std::min(scratch_.room, scratch_.of_third->room);
+    return acts && !scratch_.of_third->found.empty();
   }
 
   void limit_room(double overlap) {
@@ -192,11 +219,6 @@ template <class Predicates, class Neighbours> class PairRule {
   bool crosses(const PairSide& side) const {
     return geometry::crosses(scratch_.outline[side.part], side.index,
                              scratch_.outline[1 - side.part]);
-  }
-  /// Returns whether the part beside an inner side decides, because the side does not
-  /// cross the other part.
-  bool is_beyond_inner(const Axis& axis) const {
-    return shape_.at(axis.side).is_inner && !(axis == least_) && !crosses(axis.side);
   }
 
   /// Returns whether the axis is far: its corner, or both ends of its facing side.
@@ -313,7 +335,8 @@ template <class Predicates, class Neighbours> class PairRule {
   PairScratch& scratch_;
   Predicates predicates_;
   PairShape<Predicates> shape_{scratch_.shape, predicates_};
-  Axis least_;
+  Axis least_, axis_;               ///< the least axis and the acting one
+  std::optional<PairSide> facing_;  ///< the facing side of the acting axis
   bool has_thirds_[2] = {};
 };
 
