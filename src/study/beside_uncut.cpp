@@ -102,6 +102,7 @@ class Comparison {
       if (!step(cut_, k, looks) || !step(whole_, k, looks))
         break;
       note_contacts(k, leads, trace);
+      yielded_ = std::max(yielded_, cut_.run.yielding());
       if (looks)
         look();
     }
@@ -143,7 +144,7 @@ class Comparison {
   /// P2: the block is in the domain by no more than its energy and load explain.
   void test_fall(Observed& observed, long k) const {
     const double depth = least_shift(observed.run.outline(), domain_);
-    const double most = explained(observed.run);
+    const double most = explained(observed.run) + yielded_;
     if (observed.fall.is_worse(depth, most))
       observed.fall.text =
           fmt::format("P2: at step {} in the {} domain by {:.3g}, explained {:.3g}",
@@ -153,8 +154,8 @@ class Comparison {
   /// the outline of the block at which the contacts were decided.
   void test_contacts(Observed& observed, long k, const Polygon& before) const {
     const BlockRun& run = observed.run;
-    const double slack =
-        slack_of_depth * (run.load_overlap() + run.energy_overlap()) + gaps();
+    const double slack = slack_of_depth * (run.load_overlap() + run.energy_overlap()) +
+                         gaps() + 2.0 * yielded_;
     const double depth = run.deepest_contact();
     if (depth <= slack)
       return;
@@ -181,7 +182,7 @@ class Comparison {
     whole_.path.push_back(here);
     way_ += distance_apart(here, last_, arm_);
     last_ = here;
-    free_.push_back(explained(whole_.run) + free_part_of_way * way_);
+    free_.push_back(explained(whole_.run) + free_part_of_way * way_ + 2.0 * yielded_);
     must_explain_ |= distance_apart(cut_.path.back(), here, arm_) > free_.back();
   }
   /// The path of a run in one piece over the looks of the first one, without the shift
@@ -257,6 +258,7 @@ class Comparison {
   long steps_ = 0, diverged_ = -1;
   BlockPlace last_;            ///< of the block in one piece, at the last look
   double way_ = 0.0;           ///< [L] of the block in one piece
+  double yielded_ = 0.0;       ///< [L] how far bonded pieces have moved at most
   std::vector<double> free_;   ///< [L] how far both may be apart at least, at each look
   bool must_explain_ = false;  ///< they are farther apart at one of the looks
   Worst difference_;

@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/bond.hpp"
 #include "dynamics/step.hpp"
 
 namespace blocks::study {
+namespace {
+
+/// Faces at most so far apart are bonded, as a part of the contact tolerance.
+constexpr double flush = 1e-5;
+
+}  // namespace
 
 double distance_apart(const BlockPlace& a, const BlockPlace& b, double arm) {
   return (a.centroid - b.centroid).norm() + arm * std::abs(a.angle - b.angle);
@@ -13,16 +20,18 @@ double distance_apart(const BlockPlace& a, const BlockPlace& b, double arm) {
 
 BlockRun::BlockRun(const Model& start, const Variant& variant)
     : model(start), rules_(variant.start()) {
+  if (!model.settings.joint_laws.empty())
+    dynamics::bond_faces(model, 0, flush * model.settings.contact_tolerance);
   dynamics::prepare(model);
   moving_ = model.blocks.size() - 1;
   kinetic_ = totals(model).kinetic_energy;
-  start_ = model.blocks.centroid.col(moving_);
+  start_ = model.blocks.centroid;
 }
 
 bool BlockRun::step() {
   rules_->find(model, work_);
   const bool finite = rules_->step(model, work_).finite;
-  const Vec2 way = Vec2(model.blocks.centroid.col(moving_)) - start_;
+  const Vec2 way = Vec2(model.blocks.centroid.col(moving_)) - start_.col(moving_);
   fallen_ = std::max(fallen_, model.settings.gravity.dot(way));
   return finite;
 }
@@ -31,18 +40,30 @@ BlockPlace BlockRun::place() const {
   return {model.blocks.centroid.col(moving_), model.blocks.angle[moving_]};
 }
 
-double BlockRun::arm() const {
+double BlockRun::arm_of(int block) const {
   double longest = 0.0;
-  for (const Vec2& corner : outline())
+  for (const Vec2& corner : model.blocks.outline(block))
     longest =
-        std::max(longest, (corner - Vec2(model.blocks.centroid.col(moving_))).norm());
+        std::max(longest, (corner - Vec2(model.blocks.centroid.col(block))).norm());
   return longest;
 }
 
+double BlockRun::yielding() const {
+  double most = 0.0;
+  for (int b = 0; b < moving_; ++b)
+    if (model.blocks.is_free(b))
+      most = std::max(
+          most, distance_apart({model.blocks.centroid.col(b), model.blocks.angle[b]},
+                               {start_.col(b), 0.0}, arm_of(b)));
+  return most;
+}
+
 double BlockRun::deepest_contact() const {
+  const std::vector<int>& block = model.blocks.corner_block;
   double deepest = 0.0;
   for (const Contact& contact : model.contacts)
-    deepest = std::max(deepest, contact.overlap);
+    if (block[contact.corner] == moving_ || block[contact.edge] == moving_)
+      deepest = std::max(deepest, contact.overlap);
   return deepest;
 }
 

@@ -1,4 +1,4 @@
-// A run of one block on a fixed domain, for the comparison of two such runs.
+// A run of one block on a domain, for the comparison of two such runs.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,8 @@ struct BlockPlace {
 /// places, [L]. arm: the longest distance of a point of the block from its centroid.
 double distance_apart(const BlockPlace& a, const BlockPlace& b, double arm);
 
-/// A model in motion. Its last block is the one that moves; all others are fixed.
+/// A model in motion. Its last block is the one that moves. The others are fixed, or
+/// pieces of a domain that are bonded to each other.
 class BlockRun {
  public:
   BlockRun(const Model& start, const Variant& variant);
@@ -27,8 +28,9 @@ class BlockRun {
   bool step();
   geometry::Polygon outline() const { return model.blocks.outline(moving_); }
   BlockPlace place() const;
-  double arm() const;
-  /// Returns the depth of the deepest contact that acted in the last step, [L].
+  double arm() const { return arm_of(moving_); }
+  /// Returns the depth of the deepest contact of the block that acted in the last step,
+  /// [L].
   double deepest_contact() const;
   /// Returns 2 sqrt(E / K), [L]: an overlap that the energy E of the block explains,
   /// which includes the work of gravity in its deepest fall so far.
@@ -36,15 +38,20 @@ class BlockRun {
   /// Returns 2 F / K, [L]: an overlap that the load F of the block explains.
   double load_overlap() const;
 
+  /// Returns how far any point of another block has moved at most, [L].
+  double yielding() const;
+
   Model model;
 
  private:
+  double arm_of(int block) const;
+
   dynamics::Workspace work_;
   std::unique_ptr<VariantRun> rules_;
   int moving_ = 0;
-  double kinetic_ = 0.0;  ///< energy at the start
-  double fallen_ = 0.0;   ///< the largest work of gravity so far, per mass
-  Vec2 start_;
+  double kinetic_ = 0.0;    ///< energy at the start
+  double fallen_ = 0.0;     ///< the largest work of gravity so far, per mass
+  Eigen::Matrix2Xd start_;  ///< centroids
 };
 
 /// Turns the last block about its centroid by `turn` (rad, anticlockwise) and shifts

@@ -88,6 +88,10 @@ Model place(const Model& model, const Frame& frame, Corners corners) {
   settings.gravity = frame.vector(settings.gravity);
   for (auto& [number, material] : settings.materials)
     material.density /= frame.scale * frame.scale;
+  for (auto& [id, law] : settings.joint_laws) {
+    law.normal_stiffness /= frame.scale;
+    law.shear_stiffness /= frame.scale;
+  }
   for (Plane& plane : settings.planes)
     plane = {frame.point(plane.a), frame.point(plane.b)};
   for (CentroidForce& load : result.loads.forces)

@@ -56,7 +56,8 @@ constexpr std::array all_scenes = {same("figure4b", figure4b),
                                    varied("terrain", terrain),
                                    varied("undercut", undercut),
                                    varied("notch", notch),
-                                   varied("cut", cut, may_fail)};
+                                   varied("cut", cut, may_fail),
+                                   varied("bonded", bonded, may_fail)};
 
 Scene make(const Named& named, std::uint64_t seed, int number) {
   Draws draw(seed, number, 1);

@@ -32,10 +32,12 @@ class SceneBuilder {
     s.materials[1] = {1e10, 4e9, 2000.0};
     scene_.conservative = true;
   }
-  int add(const geometry::Polygon& outline, bool fixed) {
-    scene_.model.blocks.append(
-        {{outline, 1, 2000.0, fixed ? Fixity::by_user : Fixity::free}});
-    return scene_.model.blocks.size() - 1;
+  int add(const geometry::Polygon& outline, bool fixed, int material = 1) {
+    Model& model = scene_.model;
+    model.blocks.append(
+        {{outline, material, model.settings.materials.at(material).density,
+          fixed ? Fixity::by_user : Fixity::free}});
+    return model.blocks.size() - 1;
   }
   /// Adds the rectangle [x, x + w] x [y, y + h].
   int box(double x, double y, double w, double h, bool fixed = false) {
@@ -70,6 +72,20 @@ class SceneBuilder {
       return Vec2(
           a * (0.5 * static_cast<double>(k) * static_cast<double>(k + 1) * dt * dt));
     });
+  }
+  /// Makes material 2 of this density, whose faces have a joint law between each other.
+  void joint_material(double density, const JointLaw& law) {
+    Settings& settings = scene_.model.settings;
+    settings.materials[2] = settings.materials.at(1);
+    settings.materials[2].density = density;
+    settings.joint_laws[1] = law;
+    settings.joint_of_materials[{2, 2}] = 1;
+  }
+  /// Holds the free block b against gravity by a force at its centroid.
+  void make_weightless(int b) {
+    Model& model = scene_.model;
+    model.loads.forces.push_back(
+        {b, -model.blocks.mass[b] * model.settings.gravity, TimeFunction::always});
   }
   /// Sets the spin of block b, positive anticlockwise, [1/T].
   void spin(int b, double rate) { scene_.model.blocks.spin[b] = rate; }

@@ -1,7 +1,9 @@
-// The scene `cut`: a closed joint is not there. A random domain is cut by random
-// joints, and a block moves on it as on the domain in one piece.
+// The scenes `cut` and `bonded`: a closed joint is not there. A random domain is cut by
+// random joints, and a block moves on it as on the domain in one piece. The pieces are
+// fixed, or bonded to each other.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -36,14 +38,39 @@ Polygon shifted(Polygon outline, const Vec2& by) {
   return outline;
 }
 
-/// A model with these fixed outlines and the block, which is the last one.
-Model make_model(const std::vector<Polygon>& fixed, const CutAction& action) {
+double area_of(const Polygon& outline) {
+  return geometry::section_properties(outline).area;
+}
+
+/// The stiffness of the bonds of a face of length 1, in stiffnesses of a contact.
+constexpr double bond_stiffness = 10.0;
+
+/// The density with which bonds and dashpots of the lightest piece are stable in the
+/// time step of the block.
+double density_of_bonded(const std::vector<Polygon>& pieces, double mass) {
+  double smallest = area_of(pieces.front());
+  for (const Polygon& piece : pieces)
+    smallest = std::min(smallest, area_of(piece));
+  return 40.0 * mass / smallest;
+}
+
+/// A model with these outlines and the block, which is the last one. The outlines are
+/// fixed, or only the first one is and the others are free, to be bonded.
+Model make_model(const std::vector<Polygon>& pieces, const CutAction& action,
+                 bool bonded = false) {
   SceneBuilder draft("cut", "", steps_of_a_run);
-  for (const Polygon& piece : fixed)
-    draft.add(piece, true);
-  const int b = draft.add(action.block, false);
-  const double mass = draft.model().blocks.mass[b];
+  const double mass = density * area_of(action.block);
   const double stiffness = mass / (action.overlap * action.overlap);
+  if (bonded) {
+    JointLaw law;
+    law.cohesion = law.tension = law.residual_cohesion = law.residual_tension =
+        1e6 * stiffness;
+    law.normal_stiffness = law.shear_stiffness = bond_stiffness * stiffness;
+    draft.joint_material(density_of_bonded(pieces, mass), law);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    draft.add(pieces[i], !bonded || i == 0, bonded ? 2 : 1);
+  const int b = draft.add(action.block, false);
   draft.stiffness(stiffness);
   draft.rub(action.friction, action.damping);
   // The lightest block determines the time step, even if it is fixed. All models have
@@ -52,6 +79,8 @@ Model make_model(const std::vector<Polygon>& fixed, const CutAction& action) {
                  std::sqrt(mass / draft.model().blocks.mass.minCoeff()));
   const Vec2 gravity = action.rest_overlap * stiffness / mass * action.load;
   draft.gravity(gravity.x(), gravity.y());
+  for (int piece = 1; bonded && piece < b; ++piece)
+    draft.make_weightless(piece);
   draft.velocity(b, action.velocity.x(), action.velocity.y());
   draft.spin(b, action.spin);
   return draft.model();
@@ -62,26 +91,33 @@ int draw_joints(Draws& draw) {
   return kind < 1 ? 0 : kind < 4 ? 1 : kind < 7 ? 2 : kind < 9 ? 3 : 5;
 }
 
-}  // namespace
-
-Scene cut_by(Draws& draw, int joints) {
+/// The scene with so many joints, if the domain has room for them.
+Scene domain_scene(Draws& draw, int joints, bool bonded) {
   const auto& kinds = domain_kinds();
   CutDomain domain = draw_domain(
       draw,
       kinds[static_cast<std::size_t>(draw.below(static_cast<int>(kinds.size())))]);
   cut_domain(draw, joints, domain);
   const CutAction action = draw_action(draw, domain);
-  const double gap = domain.pieces.size() > 1 ? draw_gap(draw, action) : 0.0;
+  const double gap = domain.pieces.size() > 1 && !bonded ? draw_gap(draw, action) : 0.0;
   std::vector<Polygon> pieces;
   for (const Polygon& piece : domain.pieces) {
     const double length = 0.5 * gap * draw(), angle = 2.0 * std::numbers::pi * draw();
     pieces.push_back(shifted(piece, length * Vec2(std::cos(angle), std::sin(angle))));
   }
+  if (bonded)  // the largest piece is fixed
+    std::swap(pieces.front(),
+              *std::max_element(pieces.begin(), pieces.end(),
+                                [](const Polygon& one, const Polygon& other) {
+                                  return area_of(one) < area_of(other);
+                                }));
   Scene scene;
-  scene.name = "cut";
-  scene.what = "a block moves on a domain cut by joints as on the domain in one piece";
+  scene.name = bonded ? "bonded" : "cut";
+  scene.what = bonded ? "the same, but the pieces are free and bonded to each other"
+                      : "a block moves on a domain cut by joints as on the domain in "
+                        "one piece";
   scene.kind = domain.kind + ' ' + action.kind;
-  scene.model = make_model(pieces, action);
+  scene.model = make_model(pieces, action, bonded);
   scene.model.settings.title =
       fmt::format("{}: {} {}, {} pieces, overlap {:.1e}, {}", scene.name, domain.kind,
                   action.kind, pieces.size(), action.overlap,
@@ -101,9 +137,18 @@ Scene cut_by(Draws& draw, int joints) {
   return scene;
 }
 
+}  // namespace
+
+Scene cut_by(Draws& draw, int joints) { return domain_scene(draw, joints, false); }
+
 Scene cut(Draws& draw) {
   const int joints = draw_joints(draw);
-  return cut_by(draw, joints);
+  return domain_scene(draw, joints, false);
+}
+
+Scene bonded(Draws& draw) {
+  const int joints = std::max(1, draw_joints(draw));
+  return domain_scene(draw, joints, true);
 }
 
 }  // namespace blocks::study::scenes

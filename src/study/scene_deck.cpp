@@ -34,7 +34,27 @@ std::string settings_cards(const Settings& s, int blocks) {
   for (const auto& [number, material] : s.materials)
     cards += fmt::format("MATERIAL, {}, {}, {}, {}\n", number, material.youngs_modulus,
                          material.shear_modulus, material.density);
+  if (!s.joint_laws.empty())
+    cards += "FUNCTION, 2\n0, 1\n1.E30, 1\n";  // of the forces
   return cards + (s.rigid ? "RIGID\nEND\n" : "END\n");
+}
+
+/// The cards of bonded pieces.
+std::string bond_cards(const Model& model) {
+  std::string cards;
+  for (const auto& [id, law] : model.settings.joint_laws)
+    cards += fmt::format("JOINT, {}, {}, {}, {}, {}, {}, {}, , , {}, {}\n", id,
+                         law.friction, law.cohesion, law.tension, law.residual_friction,
+                         law.residual_cohesion, law.residual_tension,
+                         law.normal_stiffness, law.shear_stiffness);
+  for (const auto& [materials, id] : model.settings.joint_of_materials)
+    cards += fmt::format("JPAIR, {}, {}, {}\n", materials.first, materials.second, id);
+  if (!cards.empty())
+    cards += "BOND\n";
+  for (const CentroidForce& load : model.loads.forces)
+    cards += fmt::format("FORCE, {}, {}, {}\n", load.block + 1, load.force.x(),
+                         load.force.y());
+  return cards;
 }
 
 }  // namespace
@@ -57,6 +77,7 @@ std::string deck_of_frame(const Scene& scene, const Frame& frame, long steps) {
     if (blocks.is_free(b))
       deck += fmt::format("SETVEL, {}, 0, {}, {}, {}\n", b + 1, blocks.velocity(0, b),
                           blocks.velocity(1, b), blocks.spin[b]);
+  deck += bond_cards(model);
   deck += fmt::format("GRAVITY, {}, {}\nFRICTN, {}\nDAMPING, {}\nCYCLE, {}\nSTOP\n",
                       settings.gravity.x(), settings.gravity.y(), settings.friction,
                       settings.damping, steps);

@@ -50,7 +50,9 @@ Scene step_slabs(Draws& draw);
 
 // scene_cut.cpp
 Scene cut(Draws& draw);
-/// The same with so many joints, if the domain has room for them.
+/// The same with pieces that are free and bonded to each other.
+Scene bonded(Draws& draw);
+/// `cut` with so many joints, if the domain has room for them.
 Scene cut_by(Draws& draw, int joints);
 
 }  // namespace blocks::study::scenes

@@ -9,6 +9,7 @@
 
 #include "geometry/polygon.hpp"
 #include "study/beside_uncut.hpp"
+#include "study/block_run.hpp"
 #include "study/cut_domain.hpp"
 #include "study/free_shift.hpp"
 #include "study/scenes.hpp"
@@ -115,17 +116,17 @@ TEST(CutScene, MovesAsTheUncutDomainWithoutJoints) {
   }
 }
 
-/// Runs the first frames of the scene with one variant.
-Row run_cut(std::string_view variant, int frames) {
+/// Runs the first frames of a scene with one variant.
+Row run_first(std::string_view scene, std::string_view variant, int frames) {
   StudyChoice choice;
   choice.count = frames;
   choice.variants = {find_variant(variant)};
-  return run_study(make_scene("cut"), choice).rows[0];
+  return run_study(make_scene(scene), choice).rows[0];
 }
 
 // The frames of every build.
 TEST(CutScene, IsPassedByTheContactRule) {
-  const Row row = run_cut("default", 2000);
+  const Row row = run_first("cut", "default", 2000);
   EXPECT_EQ(row.hung, 0);
   EXPECT_EQ(row.fell, 0);
   EXPECT_EQ(row.deep, 0);
@@ -135,9 +136,30 @@ TEST(CutScene, IsPassedByTheContactRule) {
   EXPECT_EQ(frames, 2000);
 }
 
+// Pieces that are bonded to each other carry the block like fixed ones, but for some
+// corners between two of them (docs/robustness.md#cut-domains).
+TEST(BondedScene, MovesAsTheUncutDomain) {
+  const Row row = run_first("bonded", "default", 200);
+  EXPECT_EQ(row.hung, 0);
+  EXPECT_EQ(row.fell, 0);
+  EXPECT_LE(row.deep, 2);
+}
+
+// The bonds hold: without them, the pieces fall apart.
+TEST(BondedScene, HasBonds) {
+  Draws draw(seed, 0, 1);
+  const Scene scene = scenes::bonded(draw);
+  const Model model = place(scene.model, Frame{}, Corners::sharp);
+  const BlockRun run(model, all_variants().front());
+  int bonded = 0;
+  for (const JointState& state : run.model.joint_states)
+    bonded += state.bonded;
+  EXPECT_GE(bonded, 2 * (scene.model.blocks.size() - 2));
+}
+
 // The rules of the report fail, with a reason for each frame.
 TEST(CutScene, FindsTheFailuresOfTheReportsRules) {
-  const Row row = run_cut("report-exact", 40);
+  const Row row = run_first("cut", "report-exact", 40);
   EXPECT_GT(row.hung, 0);
   EXPECT_GT(row.fell, 0);
   EXPECT_EQ(row.reasons.size(),

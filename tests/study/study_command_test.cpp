@@ -165,8 +165,8 @@ TEST(StudyCommand, WarnsIfTheRunOfTheDeckItselfFails) {
     EXPECT_THAT(warned(gravity),
                 HasSubstr("blocks: warning: t.deck: the run of default, which is the "
                           "expected motion, lets two blocks overlap by more than 2 %"));
-  EXPECT_THAT(warned("GRAVITY, 0, -10\nDAMPING, 300\n"),
-              HasSubstr("is unsound: by step "));
+  EXPECT_THAT(warned("GRAVITY, 0, -1E200\n"),
+              HasSubstr("is unsound: numbers are not finite after step 1"));
   EXPECT_EQ(warned("GRAVITY, 0, -10\nDAMPING, 0.3\n"), "");
 }
 
