@@ -13,7 +13,8 @@
 namespace blocks::run {
 namespace {
 
-/// The blocks, not removed, of which a part is inside the outline and a part outside.
+/// Returns the blocks that are partly inside the outline and partly outside it. Removed
+/// blocks do not count.
 std::vector<int> crossed_blocks(const Blocks& blocks, const deck::Selection& named) {
   std::vector<geometry::DecimalPoint> corners;
   for (std::size_t i = 0; i < named.x.size(); ++i)

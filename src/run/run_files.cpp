@@ -18,7 +18,7 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, ignored);
 }
 
-/// The files of a run, all of which get the same ending when they are renamed.
+/// The files of a run. If they are renamed, all of them get the same ending.
 constexpr const char* endings[] = {".out", ".vtkhdf", ".ckpt.h5", ".ckpt.h5.prev",
                                    ".summary.json"};
 
