@@ -1,4 +1,4 @@
-// Figures, their axes and the quantities that they show.
+// Figures and the quantities that they show.
 #include "post/figure.hpp"
 
 #include <cairo.h>
@@ -16,7 +16,6 @@
 
 #include "output/results.hpp"
 #include "post/axes.hpp"
-#include "post/colour_map.hpp"
 #include "post/figure_scales.hpp"
 #include "post/page_file.hpp"
 #include "post/pen.hpp"
@@ -249,112 +248,6 @@ TEST(Figure, LastNumberOfTheAxisDoesNotTouchTheEdge) {
   EXPECT_LT(std::stod(number[1]) + half_of_number, std::stod(width[1]) - 1.5);
 }
 
-TEST(ColourMap, IsMonotoneInLuminanceForMagnitudes) {
-  for (const char* name :
-       {"ylgnbu", "viridis", "cividis", "grey", "viridis_r", "cividis_r"}) {
-    const ColourMap map = colour_map(name);
-    const double way = luminance(map.at(1)) - luminance(map.at(0));
-    for (int i = 0; i < 50; ++i)
-      EXPECT_GT((luminance(map.at((i + 1) / 50.0)) - luminance(map.at(i / 50.0))) * way,
-                0.0)
-          << name << " " << i;
-  }
-}
-
-TEST(ColourMap, OfZeroIsLightInGreyAndInViridisReversed) {
-  EXPECT_GT(luminance(colour_map("grey").at(0)), 0.7);
-  EXPECT_GT(luminance(colour_map("viridis_r").at(0)), 0.7);
-  EXPECT_LT(luminance(colour_map("viridis").at(0)), 0.1);
-}
-
-// A block that has not moved is not the darkest one.
-TEST(ColourMap, IsLightAtZeroIfZeroIsOrdinary) {
-  Frame frame;
-  frame.number = {1}, frame.fixed = {0};
-  frame.centroid = frame.velocity = Eigen::Matrix2Xd::Zero(2, 1);
-  frame.mass = frame.inertia = frame.area = Eigen::VectorXd::Ones(1);
-  frame.spin = Eigen::VectorXd::Zero(1);
-  const auto map = [&](const char* name) {
-    return usual_colour_map(quantity(name, frame, frame).zero);
-  };
-  for (const char* name : {"speed", "displacement", "kinetic_energy", "overlap"})
-    EXPECT_GT(luminance(colour_map(map(name)).at(0)), 0.9) << name;
-  EXPECT_EQ(map("vx"), "bluered");
-  EXPECT_EQ(map("x"), "viridis");
-  EXPECT_EQ(map("mass"), "viridis");
-}
-
-TEST(ColourMap, ForSignedQuantitiesIsLightestInTheMiddle) {
-  const ColourMap map = colour_map("bluered");
-  EXPECT_TRUE(map.diverging);
-  EXPECT_GT(luminance(map.at(0.5)), 0.9);
-  EXPECT_GT(map.at(0).b, map.at(0).r);
-  EXPECT_GT(map.at(1).r, map.at(1).b);
-}
-
-/// Returns the contrast ratio of two colours, 1 to 21 (WCAG 2).
-double contrast(const Colour& a, const Colour& b) {
-  const double high = std::max(luminance(a), luminance(b));
-  return (high + 0.05) / (std::min(luminance(a), luminance(b)) + 0.05);
-}
-
-TEST(Outline, IsVisibleOnEveryColour) {
-  for (const char* name : {"ylgnbu", "viridis", "cividis", "grey", "bluered"})
-    for (int i = 0; i <= 100; ++i) {
-      const Colour ground = colour_map(name).at(i / 100.0);
-      EXPECT_GT(contrast(ground, outline_on(ground, false)), 2.5) << name << " " << i;
-      EXPECT_GT(contrast(ground, outline_on(ground, true)), 1.5) << name << " " << i;
-    }
-}
-
-// Either the line or its rim differs from the block.
-TEST(ContactForce, IsVisibleOnEveryColour) {
-  for (const char* name : {"ylgnbu", "viridis", "cividis", "grey", "bluered"})
-    for (int i = 0; i <= 20; ++i)
-      for (int k = 0; k <= 20; ++k) {
-        const Colour ground = colour_map(name).at(i / 20.0), line = intensity(k / 20.0);
-        EXPECT_GT(std::max(contrast(ground, line), contrast(ground, rim_of_line(line))),
-                  1.8)
-            << name << " " << i << " " << k;
-      }
-}
-
-TEST(ColourMap, IsRefusedIfItsNameIsUnknown) {
-  try {
-    colour_map("jet");
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("viridis, cividis, grey"));
-  }
-}
-
-// Far from the origin all labels would have the same six digits.
-TEST(Ticks, HaveAnOffsetFarFromTheOrigin) {
-  const TickLabels far = label_ticks(1e9 - 1.1, 1e9 + 1.1, 5);
-  EXPECT_THAT(far.labels, ElementsAre("-1", "-0.5", "0", "0.5", "1"));
-  EXPECT_EQ(far.offset, "+1000000000");
-  const TickLabels below = label_ticks(-500003.05, -500002.35, 4);
-  EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
-  EXPECT_EQ(below.offset, "-500003");
-  const TickLabels national =
-      label_ticks(500000, 500010, 5);  // The labels do not run from -10 to 0.
-  EXPECT_THAT(national.labels, ElementsAre("0", "2", "4", "6", "8", "10"));
-  EXPECT_EQ(national.offset, "+500000");
-  const TickLabels late = label_ticks(4e6 - 1.6e-4, 4e6, 4);  // No label is -5e-05.
-  EXPECT_THAT(late.labels, ElementsAre("-0.00015", "-0.00010", "-0.00005", "0"));
-  EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
-  EXPECT_TRUE(label_ticks(1e17, 1e17 + 64, 10).ticks.empty());  // Doubles are 16 apart.
-}
-
-TEST(Ticks, OfLargeAndSmallNumbersHaveAPowerOfTenInTheTitle) {
-  const TickLabels energy = label_ticks(0.0, 1.8e6, 6);
-  EXPECT_EQ(energy.titled("energy [J/m]"), "energy [10⁶ J/m]");
-  EXPECT_THAT(energy.labels, ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "1.2",
-                                         "1.4", "1.6", "1.8"));
-  EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
-  EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [m]");
-}
-
 TEST(Figure, LeavesNoTemporaryFileOfVectorFormats) {
   const Folder folder;
   for (const char* name : {"a.svg", "a.pdf"}) {
@@ -532,11 +425,6 @@ TEST(Figure, RefusesStressThatIsZeroEverywhere) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("RIGID blocks have no stress"));
   }
-}
-
-TEST(Axes, TicksAreRoundNumbers) {
-  EXPECT_THAT(nice_ticks(-0.3, 10.2, 5), ElementsAre(0, 2, 4, 6, 8, 10));
-  EXPECT_TRUE(nice_ticks(1, 1, 5).empty());
 }
 
 }  // namespace

@@ -1,0 +1,96 @@
+// Colour maps, and the lines that have to be seen on their colours.
+#include "post/colour_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "post/quantity.hpp"
+
+namespace blocks::post {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ColourMap, IsMonotoneInLuminanceForMagnitudes) {
+  for (const char* name :
+       {"ylgnbu", "viridis", "cividis", "grey", "viridis_r", "cividis_r"}) {
+    const ColourMap map = colour_map(name);
+    const double way = luminance(map.at(1)) - luminance(map.at(0));
+    for (int i = 0; i < 50; ++i)
+      EXPECT_GT((luminance(map.at((i + 1) / 50.0)) - luminance(map.at(i / 50.0))) * way,
+                0.0)
+          << name << " " << i;
+  }
+}
+
+TEST(ColourMap, OfZeroIsLightInGreyAndInViridisReversed) {
+  EXPECT_GT(luminance(colour_map("grey").at(0)), 0.7);
+  EXPECT_GT(luminance(colour_map("viridis_r").at(0)), 0.7);
+  EXPECT_LT(luminance(colour_map("viridis").at(0)), 0.1);
+}
+
+// A block that has not moved is not the darkest one.
+TEST(ColourMap, IsLightAtZeroIfZeroIsOrdinary) {
+  Frame frame;
+  frame.number = {1}, frame.fixed = {0};
+  frame.centroid = frame.velocity = Eigen::Matrix2Xd::Zero(2, 1);
+  frame.mass = frame.inertia = frame.area = Eigen::VectorXd::Ones(1);
+  frame.spin = Eigen::VectorXd::Zero(1);
+  const auto map = [&](const char* name) {
+    return usual_colour_map(quantity(name, frame, frame).zero);
+  };
+  for (const char* name : {"speed", "displacement", "kinetic_energy", "overlap"})
+    EXPECT_GT(luminance(colour_map(map(name)).at(0)), 0.9) << name;
+  EXPECT_EQ(map("vx"), "bluered");
+  EXPECT_EQ(map("x"), "viridis");
+  EXPECT_EQ(map("mass"), "viridis");
+}
+
+TEST(ColourMap, ForSignedQuantitiesIsLightestInTheMiddle) {
+  const ColourMap map = colour_map("bluered");
+  EXPECT_TRUE(map.diverging);
+  EXPECT_GT(luminance(map.at(0.5)), 0.9);
+  EXPECT_GT(map.at(0).b, map.at(0).r);
+  EXPECT_GT(map.at(1).r, map.at(1).b);
+}
+
+/// Returns the contrast ratio of two colours, 1 to 21 (WCAG 2).
+double contrast(const Colour& a, const Colour& b) {
+  const double high = std::max(luminance(a), luminance(b));
+  return (high + 0.05) / (std::min(luminance(a), luminance(b)) + 0.05);
+}
+
+TEST(Outline, IsVisibleOnEveryColour) {
+  for (const char* name : {"ylgnbu", "viridis", "cividis", "grey", "bluered"})
+    for (int i = 0; i <= 100; ++i) {
+      const Colour ground = colour_map(name).at(i / 100.0);
+      EXPECT_GT(contrast(ground, outline_on(ground, false)), 2.5) << name << " " << i;
+      EXPECT_GT(contrast(ground, outline_on(ground, true)), 1.5) << name << " " << i;
+    }
+}
+
+// Either the line or its rim differs from the block.
+TEST(ContactForce, IsVisibleOnEveryColour) {
+  for (const char* name : {"ylgnbu", "viridis", "cividis", "grey", "bluered"})
+    for (int i = 0; i <= 20; ++i)
+      for (int k = 0; k <= 20; ++k) {
+        const Colour ground = colour_map(name).at(i / 20.0), line = intensity(k / 20.0);
+        EXPECT_GT(std::max(contrast(ground, line), contrast(ground, rim_of_line(line))),
+                  1.8)
+            << name << " " << i << " " << k;
+      }
+}
+
+TEST(ColourMap, IsRefusedIfItsNameIsUnknown) {
+  try {
+    colour_map("jet");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("viridis, cividis, grey"));
+  }
+}
+}  // namespace
+}  // namespace blocks::post

@@ -1,0 +1,43 @@
+// Numbers along axes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "post/axes.hpp"
+
+namespace blocks::post {
+namespace {
+
+using ::testing::ElementsAre;
+
+// Far from the origin all labels would have the same six digits.
+TEST(Ticks, HaveAnOffsetFarFromTheOrigin) {
+  const TickLabels far = label_ticks(1e9 - 1.1, 1e9 + 1.1, 5);
+  EXPECT_THAT(far.labels, ElementsAre("-1", "-0.5", "0", "0.5", "1"));
+  EXPECT_EQ(far.offset, "+1000000000");
+  const TickLabels below = label_ticks(-500003.05, -500002.35, 4);
+  EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
+  EXPECT_EQ(below.offset, "-500003");
+  const TickLabels national =
+      label_ticks(500000, 500010, 5);  // The labels do not run from -10 to 0.
+  EXPECT_THAT(national.labels, ElementsAre("0", "2", "4", "6", "8", "10"));
+  EXPECT_EQ(national.offset, "+500000");
+  const TickLabels late = label_ticks(4e6 - 1.6e-4, 4e6, 4);  // No label is -5e-05.
+  EXPECT_THAT(late.labels, ElementsAre("-0.00015", "-0.00010", "-0.00005", "0"));
+  EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
+  EXPECT_TRUE(label_ticks(1e17, 1e17 + 64, 10).ticks.empty());  // Doubles are 16 apart.
+}
+
+TEST(Ticks, OfLargeAndSmallNumbersHaveAPowerOfTenInTheTitle) {
+  const TickLabels energy = label_ticks(0.0, 1.8e6, 6);
+  EXPECT_EQ(energy.titled("energy [J/m]"), "energy [10⁶ J/m]");
+  EXPECT_THAT(energy.labels, ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "1.2",
+                                         "1.4", "1.6", "1.8"));
+  EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
+  EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [m]");
+}
+TEST(Axes, TicksAreRoundNumbers) {
+  EXPECT_THAT(nice_ticks(-0.3, 10.2, 5), ElementsAre(0, 2, 4, 6, 8, 10));
+  EXPECT_TRUE(nice_ticks(1, 1, 5).empty());
+}
+}  // namespace
+}  // namespace blocks::post
