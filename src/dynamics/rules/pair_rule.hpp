@@ -111,8 +111,10 @@ template <class Predicates, class Neighbours> class PairRule {
   /// Tests the contacts of the acting axis, unless a third part carries one of the two.
   void decide_parts(int p, int q) {
     const Search search = find_axis(p, q);
+    if (search == Search::apart)
+      return;
     const bool may_be_carried = search == Search::no_axis || is_slight();
-    if (search != Search::apart && !(may_be_carried && is_carried()))
+    if (!(may_be_carried && is_carried()))
       touch(axis_, facing_);
   }
   /// Finds the first axis in the order of depth that is neither far nor hidden. The
@@ -121,7 +123,6 @@ template <class Predicates, class Neighbours> class PairRule {
   Search find_axis(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!shape_.find_axes(scratch_.axes)) {
-      axis_ = least_ = {};
       limit_room(shape_.separation());
       return Search::apart;
     }
