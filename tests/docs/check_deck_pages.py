@@ -1,9 +1,8 @@
 #!/usr/bin/python3
-"""Compares the numbers on the pages of the decks with runs: check_deck_pages.py SOURCE PROGRAM.
+"""Compares the pages of decks with runs: check_deck_pages.py SOURCE PROGRAM [DECK...].
 
 The commands of each page run, and numbers that it quotes are measured again: they hold within one
-unit of their last digit, whole numbers exactly. What rubble does (crater, subsidence) and how hard
-a block lands is not held to a number."""
+unit of their last digit, whole numbers exactly, and within a quarter if the page says `about`."""
 
 import math
 import re
@@ -19,11 +18,10 @@ sys.dont_write_bytecode = True
 SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 sys.path.insert(0, str(SOURCE / "validation/problems"))
 
+from shown import NUMBER, is_about, value_of  # noqa: E402
 from suite.numbers import first_time, slope as rate  # noqa: E402
 from suite import trough  # noqa: E402
 from suite.results import Results  # noqa: E402
-
-NUMBER = r"(-?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?)"
 
 
 def blocks(folder, *words):
@@ -153,7 +151,7 @@ def subsidence(results, _):
 
 
 def subsidence_solve(results, _):
-    yield r"takes # steps", results.summary["steps"]
+    yield r"takes\s#\ssteps", results.summary["steps"]
     yield r"steps to\st\s=\s# s", results.summary["time"]
     x, s = trough.surface(results, 49.9)
     yield r"trough is # m deep", s.max() - np.median(s[x > 70])
@@ -163,7 +161,7 @@ def circular_opening(results, _):
     yield r"There are # blocks", results.blocks
     yield r"rest after # steps", results.summary["steps"]
     crown = results.of("Centroid", 329)[:, 1]
-    yield r"has sunk by # *\nmm", 1e3 * (crown[0] - crown[-1])
+    yield r"has sunk by\s#\smm", 1e3 * (crown[0] - crown[-1])
 
 
 def direct_shear(results, _):
@@ -200,7 +198,7 @@ def beam(results, _):
     assert [crack["parent"] for crack in cracks[:3]] == [12, 29, 46], cracks[:3]
     yield r"splits first, at # s", cracks[0]["time"]
     yield r"four rows\nin # ms", 1e3 * (cracks[2]["time"] - cracks[0]["time"])
-    yield r"there are # blocks", results.blocks
+    yield r"there are # cracks", len(cracks)
     moment = 2500 * 9.81 * (4**2 / 8 - 0.125**2 / 2 - 0.25**2 / 24)
     stress = 12 * moment * 0.375
     yield r"gives # kPa", 1e-3 * stress
@@ -218,11 +216,11 @@ def disc(results, _):
 
 def roof(results, _):
     cracks = results.summary["cracks"]
-    yield r"bed, # in the end", len(cracks)
-    to_7_5_m = results.summary["time"] - 1.6
-    yield r"crack comes # s", cracks[0]["time"] - to_7_5_m
-    assert cracks[0]["time"] > to_7_5_m, cracks[0]
-    assert all(12 <= crack["parent"] < 52 for crack in cracks), cracks
+    yield r"are # cracks", len(cracks)
+    to_5_m = results.summary["time"] - 2.0
+    assert cracks[0]["time"] > to_5_m, cracks[0]
+    lowest_bed = [crack for crack in cracks if 12 <= crack["parent"] < 52]
+    assert len(lowest_bed) > 0.5 * len(cracks), cracks
 
 
 def crater_cracks(results, _):
@@ -230,6 +228,7 @@ def crater_cracks(results, _):
     yield r"There are # cracks", len(cracks)
     yield r"first after # ms", 1e3 * cracks[0]["time"]
     yield r"blocks \| 162 \| #", results.blocks
+    yield r"15.3 m \| y = # m", results.all("Centroid")[-1][:, 1].max()
     yield r"24,613 \| #", results.summary["steps"]
 
 
@@ -241,16 +240,16 @@ SHORT = {"subsidence": ["MOTION.dt=0.001"],
 
 def unlike(name, page, form, value):
     """Returns the fault of the number at # of the form, or nothing."""
-    found = re.search(form.replace("#", NUMBER), page)
+    found = re.search(form.replace("#", rf"(about\s+)?{NUMBER}"), page)
     if not found:
         return [f"{name}: the page does not say {form}"]
-    text = found[1].replace(",", "")
-    digits = re.fullmatch(r"-?\d+(?:\.(\d+))?(?:e(-?\d+))?", text)
+    about, shown = found.groups()
+    digits = re.fullmatch(r"-?[\d,]+(?:\.(\d+))?(?:e(-?\d+))?", shown)
     unit = 10.0 ** (int(digits[2] or 0) - len(digits[1] or ""))
-    off = abs(float(text) - value)
-    if off <= (1.01 * unit if unit < 1 else 0.5):
+    last_digit = abs(value_of(shown) - value) <= (1.01 * unit if unit < 1 else 0.5)
+    if is_about(value_of(shown), value) if about else last_digit:
         return []
-    return [f"{name}: the page says {found[1]}, the run {value:.6g}: {form}"]
+    return [f"{name}: the page says {about or ''}{shown}, the run {value:.6g}: {form}"]
 
 
 def check(name, folder):
@@ -268,8 +267,7 @@ def check(name, folder):
 
 
 def main():
-    names = sorted(path.parent.name for path in SOURCE.glob("decks/*/README.md"))
-    assert len(names) >= 8, names
+    names = sys.argv[3:] or sorted(path.parent.name for path in SOURCE.glob("decks/*/README.md"))
     faults = []
     with tempfile.TemporaryDirectory() as folder:
         for name in names:

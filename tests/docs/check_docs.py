@@ -11,6 +11,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.dont_write_bytecode = True
+from shown import missing_lines  # noqa: E402
+
 FENCE = re.compile(r"^```(\S+)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
 
 
@@ -129,15 +132,6 @@ def check_departures(source, program):
     assert len(tapes) == 3, tapes
     faults += [f"docs/departures.md does not name {tape}" for tape in sorted(tapes) if tape not in departures]
     return faults
-
-
-def missing_lines(shown, printed):
-    """Lines shown that were not printed; `...` stands for any text."""
-    lines = printed.splitlines()
-    for line in shown.splitlines():
-        form = ".*".join(re.escape(part) for part in line.split("..."))
-        if not any(re.fullmatch(form, other) for other in lines):
-            yield line
 
 
 def check_tutorial(source, program):

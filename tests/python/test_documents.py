@@ -24,6 +24,9 @@ matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/docs"))
+from shown import missing_lines  # noqa: E402
+
 PAGE = ROOT / "docs/python.md"
 GALLERY = ROOT / "docs/python-gallery.md"
 TUTORIAL = ROOT / "docs/tutorial.md"
@@ -59,13 +62,6 @@ def printed_by(code, page, line, names):
         warnings.simplefilter("ignore", blocks.RunWarning)
         exec(compile("\n" * (line - 1) + code, str(page), "exec"), names)
     return output.getvalue()
-
-
-def missing_lines(shown, printed):
-    """Returns the lines shown that were not printed; `...` stands for any text."""
-    lines = printed.splitlines()
-    forms = {line: ".*".join(re.escape(part) for part in line.split("...")) for line in shown.splitlines()}
-    return [line for line, form in forms.items() if not any(re.fullmatch(form, other) for other in lines)]
 
 
 def execute(text, page, names, first_line=0):
