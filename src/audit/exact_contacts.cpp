@@ -44,14 +44,14 @@ Candidate ExactPairRule::candidate_on(const PartCorner& corner,
   return found;
 }
 
-/// Tests a corner on the first side that has it between its ends: a side, or one in
+/// Tests a corner on the first side that has it between its ends: a side, or an edge in
 /// line with it. If there is none, tests it on the side itself, which may have no end.
 Candidate ExactPairRule::candidate(const Pair& pair, const PartCorner& corner,
                                    const PartSide& side, bool may_have_no_end,
                                    bool may_be_far) const {
   const std::vector<PartSide> sides = sides_in_line(side);
   const auto below = std::find_if(sides.begin(), sides.end(), [&](const PartSide& one) {
-    return candidate_on(corner, one).between;
+    return (one == side || !one.inner) && candidate_on(corner, one).between;
   });
   Candidate found = candidate_on(corner, below == sides.end() ? side : *below);
   if (found.side.inner)

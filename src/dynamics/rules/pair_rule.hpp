@@ -300,14 +300,14 @@ template <class Predicates, class Neighbours> class PairRule {
           }
         });
   }
-  /// Returns the one of a side and the sides in line with it that has the foot of the
+  /// Returns that one of a side and the edges in line with it that has the foot of the
   /// corner between its ends. If there is none, returns the side itself.
   PairSide find_side_below(const PairSide& corner, const PairSide& side) {
     if (is_between(corner, side))
       return side;
     std::optional<PairSide> found;
     shape_.each_in_line(side, [&](const PairSide& one) {
-      if (!found && is_between(corner, one))
+      if (!found && !shape_.at(one).is_inner && is_between(corner, one))
         found = one;
     });
     return found.value_or(side);
