@@ -8,6 +8,7 @@ two cores. The chart is drawn again from the table with --draw.
 """
 
 import csv
+import itertools
 import os
 import shutil
 import subprocess
@@ -22,8 +23,10 @@ TABLE, FIGURE = HERE / "CONSTANTS.csv", ROOT / "docs/images/constants.svg"
 sys.path.insert(0, str(HERE.parent / "problems"))
 from suite.chart import Chart  # noqa: E402
 
+SLACK = 2**-18
 CONSTANTS = {
-    "slack": [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 0.7e-6, 1e-6, 1.3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
+    "slack": [1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 0.7 * SLACK, SLACK, 1.3 * SLACK, 1e-5, 1e-4, 1e-3,
+              1e-2, 1e-1],
     "degrees": [1, 3, 5, 7, 10, 13, 15, 20, 30, 45, 60, 80],
     "successor": [0.0, 0.5, 0.665, 0.8, 0.9, 0.95, 0.98, 0.9999, 1.1],
     "deepest": [1.25, 1.5, 2, 3, 6],
@@ -31,10 +34,13 @@ CONSTANTS = {
     "widest": [1 / 256, 1 / 64, 1 / 32, 1 / 16, 1 / 4],
     "reach": [0.0, 1 / 1024, 1 / 256, 1 / 128, 1 / 64, 1 / 16],
     "way": [1, 2, 4, 8, 100],
-    "remaining": [1e-12, 0.005, 0.02, 0.1, 0.3]}
+    "remaining": [1e-12, 0.005, 0.02, 0.1, 0.3],
+    "overlap": [0.0, 1 / 16, 0.0875, 1 / 8, 0.1625, 1 / 4, 1 / 2],
+    "renewal": [0.0, 1 / 32, 0.0875, 1 / 8, 0.1625, 1 / 2, 2, 8]}
 # These constants are about joints, so `cut` is run for them alone, with 500 times as many frames.
-OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining")
-MAY_FAIL = ("stake", "toe", "bricks")
+OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining", "overlap", "renewal")
+MAY_FAIL = ("stake", "toe", "bricks", "triangles", "cut", "bonded")
+DRAWN = ("stake", "toe")
 
 FROM_ENVIRONMENT = """
 #include <cmath>
@@ -44,7 +50,7 @@ inline double from_environment(const char* name, double otherwise) {
   const char* text = std::getenv(name);
   return text ? std::strtod(text, nullptr) : otherwise;
 }
-inline const double contact_slack = from_environment("SWEEP_SLACK", 1e-6);
+inline const double contact_slack = from_environment("SWEEP_SLACK", 0x1p-18);
 inline const double facing_angle = from_environment("SWEEP_DEGREES", 10);
 inline const double facing_sine = std::sin(facing_angle * 3.14159265358979323846 / 180);
 inline const double facing_sine_squared = facing_sine * facing_sine;
@@ -55,6 +61,9 @@ inline const double widest_joint = from_environment("SWEEP_WIDEST", 1.0 / 32.0);
 inline const double third_reach = from_environment("SWEEP_REACH", 1.0 / 128.0);
 inline const double longest_way = from_environment("SWEEP_WAY", 4.0);
 inline const double remaining_share = from_environment("SWEEP_REMAINING", 0.02);
+inline const double remaining_overlap = from_environment("SWEEP_OVERLAP", 0.125);
+inline const double renewal_of_overlap = from_environment("SWEEP_RENEWAL", 0.125);
+inline constexpr double renewal_of_arm = 1e-4;
 inline const double successor_cosine = from_environment("SWEEP_SUCCESSOR", 0.95);
 inline constexpr double face_cosine = 0.95;
 }
@@ -114,13 +123,15 @@ def sweep(frames):
         out = csv.writer(file, lineterminator="\n")
         out.writerow(columns)
         for constant, values in CONSTANTS.items():
-            scene, count = ("cut", 500 * frames) if constant in OF_JOINTS else ("all", frames)
-            for value in values:
+            runs = [("all", frames)]
+            if constant in OF_JOINTS:
+                runs = [("cut", 500 * frames)] + [("toe", 20 * frames)] * (constant == "renewal")
+            for value, (scene, count) in itertools.product(values, runs):
                 for row in study(program, scene, count, **{constant: value}):
                     out.writerow([constant, value, row["scene"], count,
                                   row["hang_ups_count"] or 0, row["fall_throughs_count"] or 0])
                 file.flush()
-                print(constant, value, flush=True)
+                print(constant, value, scene, flush=True)
 
 
 def charts():
@@ -128,8 +139,8 @@ def charts():
     with open(TABLE, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     groups = [("scenes that must pass", lambda scene: scene not in MAY_FAIL)] + [
-        (scene, lambda name, scene=scene: name == scene) for scene in MAY_FAIL if scene != "bricks"]
-    labels = {"slack": ("Slack: 1e-6 in the rule", "slack, part of an edge's length"),
+        (scene, lambda name, scene=scene: name == scene) for scene in DRAWN]
+    labels = {"slack": ("Slack: 2^-18 in the rule", "slack, part of an edge's length"),
               "degrees": ("Facing sides: ten degrees in the rule",
                           "largest angle between them, degrees")}
     for constant, values in CONSTANTS.items():
