@@ -6,11 +6,12 @@
 namespace blocks::geometry {
 
 /// A corner that is outside of an edge or beyond one of its ends by at most this part
-/// of the length of the edge may still act on it. The number is the double nearest
-/// 1e-6, taken as exact. Without a slack, corners in line slip through each other's
-/// gaps and contacts flicker in turned frames. From 1e-2 on, blocks that only pass are
-/// caught.
-inline constexpr double contact_slack = 1e-6;
+/// of the length of the edge may still act on it. The number is exact (3.8e-6). Without
+/// a slack, corners in line slip through each other's gaps and contacts flicker in
+/// turned frames. With 1e-6, rounding moves a corner by the slack at 1e9 block sizes
+/// from the origin; with 1e-5, the slack moves blocks by more than small overlaps do.
+/// From 1e-2 on, blocks that only pass are caught.
+inline constexpr double contact_slack = 0x1p-18;
 
 /// Two sides face each other if their directions are opposite within this angle, in
 /// degrees (20). A smaller angle loses contacts of bowed faces; a larger one takes a
@@ -63,9 +64,10 @@ inline constexpr double successor_cosine = 0.95;
 inline constexpr double face_cosine = 0.95;
 
 /// A decision of the exact rule is kept while its blocks and their neighbours move
-/// against each other by less than this part of the overlap of the two parts, or of
-/// their distance, and by less than this part of the shorter one of the two longest
-/// arms (docs/kept-decisions.md#renewal).
+/// against each other by less than the first part of the overlap of the two parts, or of
+/// their distance. The limit is at least this part of the slack, and at most the second
+/// part, each of the shorter one of the two longest arms
+/// (docs/kept-decisions.md#renewal).
 inline constexpr double renewal_of_overlap = 0.125;
 inline constexpr double renewal_of_arm = 1e-4;
 

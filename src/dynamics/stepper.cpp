@@ -36,6 +36,8 @@ StepResult Stepper::advance(bool readings, double alarm) {
 }
 
 void Stepper::take_velocities_and_loads() {
+  work_.decisions.expire_all();
+  model_.kept = {};
   if (model_.order.empty() || !inside_current_)
     return;
   inside_.blocks.velocity =

@@ -26,7 +26,8 @@ class Stepper {
     work_.springs.list_changed();
   }
   /// To be called after velocities, spins or loads have been changed from outside. The
-  /// model must have been up to date before the change.
+  /// model must have been up to date before the change. As after a card, the next step
+  /// decides all pairs again.
   void take_velocities_and_loads();
   /// Calls dynamics::advance. If the model has an order, only its time, steps, search,
   /// worst overlap and exits are updated. The rest is out of date until up_to_date().

@@ -15,7 +15,7 @@ using geometry::Vec2;
 enum class Ends {
   strict,     ///< a corner on the limit is outside
   inclusive,  ///< a corner on the limit is inside
-  slack       ///< inside up to 1e-6 of the edge's length beyond
+  slack       ///< inside up to 2^-18 of the edge's length beyond
 };
 
 /// Twice the area of (19) as printed, in absolute coordinates.

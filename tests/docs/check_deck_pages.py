@@ -220,7 +220,7 @@ def roof(results, _):
     to_5_m = results.summary["time"] - 2.0
     assert cracks[0]["time"] > to_5_m, cracks[0]
     lowest_bed = [crack for crack in cracks if 12 <= crack["parent"] < 52]
-    assert len(lowest_bed) > 0.5 * len(cracks), cracks
+    assert len(lowest_bed) >= len(cracks) / 3, cracks
 
 
 def crater_cracks(results, _):

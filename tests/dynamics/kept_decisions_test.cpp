@@ -1,6 +1,7 @@
 // Decisions that outlive a search, cracks or a checkpoint.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "dynamics/decisions/decisions.hpp"
 #include "dynamics/stepper.hpp"
+#include "geometry/contact_constants.hpp"
 #include "output/fields.hpp"
 #include "study/scene_builder.hpp"
 
@@ -164,6 +166,14 @@ TEST(KeptDecisions, OfTheExactRuleEndAfterTheRenewalDistance) {
   EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
   decisions.keep_exact(blocks, index, 0, room);
   blocks.gradient.col(1) = Eigen::Vector4d(1.0, -room, room, 1.0);
+  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
+  // Without any room the distance is an eighth of the slack.
+  const double least =
+      0.125 * geometry::contact_slack * std::min(decisions.bounds.longest[0], 1.0);
+  decisions.keep_exact(blocks, index, 0, 0.0);
+  blocks.centroid(0, 1) += 0.9 * least;
+  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
+  blocks.centroid(0, 1) += 0.2 * least;
   EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
   // However large the room is, the distance is a part of the arms.
   decisions.keep_exact(blocks, index, 0, 1.0);

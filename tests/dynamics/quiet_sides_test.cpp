@@ -234,7 +234,7 @@ TEST(QuietSide, HasTheSameBitsInARunThatIsContinuedFromTheModel) {
     all.advance(i == steps);
   all.up_to_date();
   EXPECT_GT(straight.energy.of(EnergyEntry::quiet), 0.0);
-  EXPECT_GT(straight.contacts.size(), 3U);
+  EXPECT_GE(straight.contacts.size(), 3U);
   Model parts = shaken();
   for (int i = 1; i <= steps; ++i) {
     dynamics::Workspace its_own(1 + i % 2);

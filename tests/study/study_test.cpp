@@ -148,16 +148,16 @@ struct KnownFailure {
   long most_fell;             ///< frames
   double most_lost;           ///< mean of the speed lost
   double most_energy;         ///< worst error
-  double most_phantom = 0.0;  ///< shares of contacts in kept decisions
+  double most_phantom = 1e-4;  ///< shares of contacts in kept decisions
 };
 constexpr std::array known_failures = {
-    // Far from the origin, rounding moves a tip out of the slack of a closed joint.
-    KnownFailure{"stake", 1, 0, 0.0, 0.5},
+    // Two springs at a joint give back less than they took.
+    KnownFailure{"stake", 0, 0, 0.0, 0.5},
     // Tips that cross sideways face no edge.
     KnownFailure{"triangles", 0, 0, 0.0, 0.06},
     // A corner that slides out of the slack of a joint loses its spring.
-    KnownFailure{"toe", 1, 0, 0.0, 0.3, 0.005},
-    // Far from the origin, rounding makes ledges that are wider than the slack.
+    KnownFailure{"toe", 1, 0, 0.0, 0.3, 0.02},
+    // Far from the origin, rounding brakes the brick.
     KnownFailure{"bricks", 0, 0, 0.002, 0.004},
     // Sliders and tips at joints (docs/robustness.md#cut-domains).
     KnownFailure{"cut", 0, 1, 0.0, 0.0}, KnownFailure{"bonded", 0, 0, 0.0, 0.0}};
@@ -183,7 +183,7 @@ TEST(DefaultVariant, NeitherHangsNorFallsThrough) {
     const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
     EXPECT_FALSE(row.wrong_signs.value > 0.0) << name;
     const KnownFailure* known = known_failure(name);
-    const double most_phantom = known ? known->most_phantom : 0.0;
+    const double most_phantom = known ? known->most_phantom : 1e-4;
     EXPECT_FALSE(row.phantom.value > most_phantom) << name;
     EXPECT_FALSE(row.missed.value > most_phantom) << name;
     if (known) {

@@ -3,12 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/contact_constants.hpp"
 #include "linked_list.hpp"
 
 namespace blocks::bench {
 namespace {
 
-constexpr double slack = 1e-6;  // relative to the length of an edge
+constexpr double slack = geometry::contact_slack;
 constexpr double sin_minus_10 = -0.17364817766693035;  // (20)
 
 }  // namespace

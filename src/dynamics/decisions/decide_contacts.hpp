@@ -76,7 +76,7 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
     } else {
       rules.decide(blocks, parts, index, p, thread.scratch);
       const PairScratch& scratch = thread.scratch;
-      const bool is_kept = Rules::keeps_decisions && scratch.room > 0.0;
+      const bool is_kept = Rules::keeps_decisions && scratch.may_be_kept;
       arrays.assign(blocks, index, p, is_kept ? scratch.candidates : scratch.found,
                     is_kept, thread.changes);
       if (is_kept)

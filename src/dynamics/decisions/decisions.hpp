@@ -2,6 +2,7 @@
 // Checkpoints contain it (kept_state.hpp).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "dynamics/decisions/motion_bounds.hpp"
@@ -49,8 +50,14 @@ struct Decisions {
   }
   /// Discards the decision of pair p.
   void expire(int p) { limits[p] = {}, next_check[p] = 0.0, poses[p].clear(); }
+  /// Discards all decisions, but begins no phase.
+  void expire_all() {
+    for (std::size_t p = 0; p < limits.size(); ++p)
+      expire(static_cast<int>(p));
+  }
   /// Keeps the decision of pair p, made now by the exact rule, while neither its blocks
-  /// nor their neighbours move against each other by `room`.
+  /// nor their neighbours move against each other by `room`. A smaller room than a part
+  /// of the slack counts as that part.
   void keep_exact(const Blocks& blocks, const PairIndex& index, int p, double room);
   /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);

@@ -39,10 +39,13 @@ struct PairScratch {
   ThirdParts thirds[2];          ///< third parts of each of the two
   std::vector<Axis> axes;
   std::vector<CornerOnEdge> found;
-  /// The contacts that may act while blocks move by less than `room`: each of them acts
-  /// if its corner is inside its edge and between the ends.
+  /// The contacts that may act as long as the decision is kept: each of them acts if its
+  /// corner is inside its edge and between the ends.
   std::vector<CornerOnEdge> candidates;
-  double room = 0.0;                      ///< [L]
+  /// [L] The decision may be kept while blocks move by less than this.
+  double room = 0.0;
+  /// Whether the decision may be kept. If not, it is for this step alone.
+  bool may_be_kept = false;
   std::unique_ptr<PairScratch> of_third;  ///< for a third part with one of the two
 
   /// Adds a contact unless it is there already.
@@ -104,6 +107,7 @@ template <class Predicates, class Neighbours> class PairRule {
     scratch_.found.clear();
     scratch_.candidates.clear();
     scratch_.room = std::numeric_limits<double>::infinity();
+    scratch_.may_be_kept = true;
   }
   /// What the search for the acting axis of two parts finds.
   enum class Search { apart, axis, no_axis };
@@ -151,8 +155,6 @@ template <class Predicates, class Neighbours> class PairRule {
     if (axis_ == least_)
       return false;
     const Segment& e = shape_.at(least_.side);
-    limit_room(std::abs(shape_.depth(least_).value -
-                        geometry::contact_slack * (e.end - e.start).norm()));
     return predicates_.near_or_inside(shape_.at(least_.corner).start, e.end, e.start);
   }
   /// Returns whether a third part carries one of the two: it hides the least axis,
@@ -187,6 +189,7 @@ template <class Predicates, class Neighbours> class PairRule {
     if (acts)
       rule.touch(rule.axis_, rule.facing_);
     scratch_.room = std::min(scratch_.room, scratch_.of_third->room);
+    scratch_.may_be_kept = scratch_.may_be_kept && scratch_.of_third->may_be_kept;
     return acts && !scratch_.of_third->found.empty();
   }
 
@@ -289,13 +292,13 @@ template <class Predicates, class Neighbours> class PairRule {
           const CornerOnEdge contact{shape_.at(corner).corner, shape_.at(below).corner};
           PairScratch::add(scratch_.candidates, contact);
           if (!parts_.is_isolated(shape_.part(below.part), below.index))
-            limit_room(0.0);
+            scratch_.may_be_kept = false;
           if (shape_.depth_sign(below, corner.index) <= 0)
             return;
           if (is_between(corner, below))
             return PairScratch::add(scratch_.found, contact);
           if (!facing && has_no_end(axis.corner, below)) {
-            limit_room(0.0);
+            scratch_.may_be_kept = false;
             PairScratch::add(scratch_.found, contact);
           }
         });
