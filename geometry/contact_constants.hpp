@@ -64,9 +64,9 @@ inline constexpr double successor_cosine = 0.95;
 inline constexpr double face_cosine = 0.95;
 
 /// A decision of the exact rule is kept while its blocks and their neighbours move
-/// against each other by less than the first part of the overlap of the two parts, or of
-/// their distance. The limit is at least this part of the slack, and at most the second
-/// part, each of the shorter one of the two longest arms
+/// against each other by less than the first part of the overlap of the two parts, or
+/// of their distance. The limit is at least this part of the slack, and at most the
+/// second part, each of the shorter one of the two longest arms
 /// (docs/kept-decisions.md#renewal).
 inline constexpr double renewal_of_overlap = 0.125;
 inline constexpr double renewal_of_arm = 1e-4;

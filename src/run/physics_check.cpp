@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dynamics/time_step.hpp"
+#include "geometry/contact_constants.hpp"
 
 namespace blocks::run {
 namespace {
@@ -89,6 +90,12 @@ std::optional<Base> base_of_heaviest(const Model& model) {
   return lowest == nullptr ? std::nullopt : std::optional(Base{column, *lowest});
 }
 
+/// Returns whether nothing but gravity presses blocks together, and no bond holds them.
+bool has_only_weight(const Model& model) {
+  return model.loads.none() && model.drives.empty() && model.servos.empty() &&
+         model.bonds_made == 0;
+}
+
 constexpr double largest_share = 0.05, good_share = 0.01;  // of the block
 
 }  // namespace
@@ -112,6 +119,26 @@ std::vector<Doubt> doubt_stiffness(const Plan& plan) {
            "W = {:.3g} is the weight of the heaviest column; stifn = {:.2g} makes "
            "the overlap 1 % of the block",
            weight, weight / (good_share * size)),
+       plan.places.stiffness, "STIFF"}};
+}
+
+std::vector<Doubt> doubt_overlap(const Plan& plan) {
+  const std::optional<Base> base = base_of_heaviest(plan.model);
+  if (!base || !has_only_weight(plan.model))
+    return {};
+  const auto& [column, lowest] = *base;
+  const double width = lowest.end - lowest.begin, weight = column.line_load * width;
+  const double overlap = weight / plan.model.settings.normal_stiffness;
+  if (!(overlap < geometry::contact_slack * width))
+    return {};
+  return {
+      {fmt::format("the contacts are very stiff for the weight of the blocks: at "
+                   "rest block {} overlaps its support by about W/Kn = {:.3g}, less "
+                   "than the slack of contacts, {:.3g}",
+                   lowest.block + 1, overlap, geometry::contact_slack * width),
+       fmt::format("W = {:.3g} is the weight of the heaviest column; stifn = {:.2g} "
+                   "makes the overlap a thousandth of the block, and steps longer",
+                   weight, weight / (1e-3 * width)),
        plan.places.stiffness, "STIFF"}};
 }
 

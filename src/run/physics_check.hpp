@@ -1,6 +1,6 @@
-// Rules of plausibility about numbers that do not fit together: springs and blocks too
-// soft for the weight on them, and a contact tolerance too large for the blocks
-// (docs/plausibility.md).
+// Rules of plausibility about numbers that do not fit together: springs too soft or too
+// stiff and blocks too soft for the weight on them, and a contact tolerance too large
+// for the blocks (docs/plausibility.md).
 #pragma once
 
 #include <vector>
@@ -13,6 +13,11 @@ namespace blocks::run {
 /// free blocks on its lowest block, divided by the normal stiffness Kn. Returns a doubt
 /// if it is more than a twentieth of the least width of that block.
 std::vector<Doubt> doubt_stiffness(const Plan& plan);
+
+/// Returns a doubt if this overlap is less than the slack of a side as long as the block
+/// is wide, unless other loads or bonds act, too. Then rounding and the age of kept
+/// decisions count (docs/kept-decisions.md).
+std::vector<Doubt> doubt_overlap(const Plan& plan);
 
 /// Estimates the compression at rest of deformable blocks: the weight of the heaviest
 /// column per width, divided by E of its lowest block. Returns a doubt if it is more

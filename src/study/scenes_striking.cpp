@@ -115,8 +115,8 @@ Scene stake(Draws& draw) {
   return bounces(draft, 1e9, impact);
 }
 
-/// The tip falls within twice the slack of the joint, a few millionths of a box's width.
-/// Its overlaps are a fifth of a micrometre, less than the slack.
+/// The tip falls within twice the slack of the joint, a few millionths of a box's
+/// width. Its overlaps are a fifth of a micrometre, less than the slack.
 Scene toe(Draws& draw) {
   SceneBuilder draft(
       "toe", "a pointed block strikes flush boxes within the slack of their joint",

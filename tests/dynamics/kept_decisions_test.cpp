@@ -83,8 +83,8 @@ std::map<std::string, std::string> fields_of(Model& model) {
   return std::move(fields.all);
 }
 
-/// Four columns of squares side by side between two walls, whose joints cross in points, and a
-/// square that falls on them.
+/// Four columns of squares side by side between two walls, whose joints cross in
+/// points, and a square that falls on them.
 struct Heap {
   explicit Heap(bool reversed)
       : model(study::scenes::SceneBuilder("heap", "", 0).model()) {

@@ -60,6 +60,10 @@ const RuleCase cases[] = {
     {"soft-contacts", "STIFF: the contacts are too soft for the weight of the blocks",
      with(rigid(square + "GRAVITY, 0, -10\n" + end), "1.E7, 1.E7", "1.E5, 1.E5"),
      rigid(square + "GRAVITY, 0, -10\n" + end)},
+    {"stiff-contacts",
+     "STIFF: the contacts are very stiff for the weight of the blocks",
+     with(rigid(square + "GRAVITY, 0, -10\n" + end), "1.E7, 1.E7", "1.E11, 1.E11"),
+     with(rigid(square + "GRAVITY, 0, -10\n" + end), "1.E7, 1.E7", "1.E9, 1.E9")},
     {"soft-blocks",
      "MATERIAL: the blocks are too soft for their weight: at rest block 1 is "
      "compressed by about 4.9e+04 % of its height\n",

@@ -144,10 +144,10 @@ TEST(DefaultVariant, GivesTheBitsOfARun) {
 /// twelve frames of the test, so that a test fails if more frames do.
 struct KnownFailure {
   std::string_view scene;
-  long most_hung;             ///< frames
-  long most_fell;             ///< frames
-  double most_lost;           ///< mean of the speed lost
-  double most_energy;         ///< worst error
+  long most_hung;              ///< frames
+  long most_fell;              ///< frames
+  double most_lost;            ///< mean of the speed lost
+  double most_energy;          ///< worst error
   double most_phantom = 1e-4;  ///< shares of contacts in kept decisions
 };
 constexpr std::array known_failures = {

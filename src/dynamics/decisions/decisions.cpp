@@ -102,9 +102,9 @@ void Decisions::keep_exact(const Blocks& blocks, const PairIndex& index, int p,
                            double room) {
   const auto [low, high] = index.pairs[p];
   const double arm = std::min(bounds.longest[low], bounds.longest[high]);
-  const double limit = std::clamp(
-      room, geometry::renewal_of_overlap * geometry::contact_slack * arm,
-      geometry::renewal_of_arm * arm);
+  const double limit =
+      std::clamp(room, geometry::renewal_of_overlap * geometry::contact_slack * arm,
+                 geometry::renewal_of_arm * arm);
   limits[p] = {limit, limit};
   std::vector<KeptPose>& kept = poses[p];
   kept.clear();

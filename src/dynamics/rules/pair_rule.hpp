@@ -39,8 +39,8 @@ struct PairScratch {
   ThirdParts thirds[2];          ///< third parts of each of the two
   std::vector<Axis> axes;
   std::vector<CornerOnEdge> found;
-  /// The contacts that may act as long as the decision is kept: each of them acts if its
-  /// corner is inside its edge and between the ends.
+  /// The contacts that may act as long as the decision is kept: each of them acts if
+  /// its corner is inside its edge and between the ends.
   std::vector<CornerOnEdge> candidates;
   /// [L] The decision may be kept while blocks move by less than this.
   double room = 0.0;
