@@ -14,9 +14,9 @@ namespace blocks::run {
 /// if it is more than a twentieth of the least width of that block.
 std::vector<Doubt> doubt_stiffness(const Plan& plan);
 
-/// Returns a doubt if this overlap is less than the slack of a side as long as the block
-/// is wide, unless other loads or bonds act, too. Then rounding and the age of kept
-/// decisions count (docs/kept-decisions.md).
+/// Returns a doubt if this overlap is less than the slack of a side as long as the
+/// block is wide, unless other loads or bonds act, too. Then rounding and the age of
+/// kept decisions count (docs/kept-decisions.md).
 std::vector<Doubt> doubt_overlap(const Plan& plan);
 
 /// Estimates the compression at rest of deformable blocks: the weight of the heaviest
