@@ -72,6 +72,18 @@ install_packages() {  # package...
   fi
 }
 
+# The builds of a clone that was copied or moved are of no use: CMake refuses them.
+forget_builds_of_other_clones() {
+  for cache in "$here"/build/*/CMakeCache.txt; do
+    [ -e "$cache" ] || continue
+    made_in=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$cache")
+    case $made_in in "$here"/*) continue ;; esac  # a project within this clone
+    [ "$made_in" -ef "$here" ] && continue
+    echo "go: $(dirname "$cache") was made in $made_in; building it again" >&2
+    rm -rf "$(dirname "$cache")"
+  done
+}
+
 build() {  # preset [target...]
   preset=$1; shift
   # shellcheck disable=SC2046  # The output is a list of words.
@@ -99,6 +111,7 @@ build_python() {  # target...
 
 command=${1:-help}
 [ $# -gt 0 ] && shift
+forget_builds_of_other_clones
 case $command in
   run|blocks)
     build release blocks
