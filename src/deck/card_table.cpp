@@ -84,20 +84,22 @@ std::vector<CardSpec> preliminary_cards() {
        .example = "STIFF, 1.D7, 5.D6"});
   add({.name = "FRACTION",
        .once = true,
-       .required = true,
        .section = "A.1.6",
        .summary = "fraction of the critical time step",
        .fields = {{"tfrac",
                    real,
-                   {},
+                   "",
                    {0, 1, true, false, false},
                    "[-]",
                    "time step divided by the critical time step of a single contact, "
-                   "eq. (4)"}},
+                   "eq. (4); blank: the largest safe value"}},
        .notes =
            "A block with n contacts and DAMPING b is stable up to a FRACTION of "
-           "(sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). A warning is given above "
-           "this value for n = 8, and an error above three times the value.",
+           "(sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). LOCDAMP alpha multiplies n "
+           "by 1 + alpha. A warning is given above this value for n = 8, and an error "
+           "above three times the value. If tfrac is blank or the card is absent, the "
+           "program takes this value for n = 8, and again when DAMPING or LOCDAMP "
+           "changes it.",
        .example = "FRACTION, .05"});
   add({.name = "MATERIAL",
        .required = true,

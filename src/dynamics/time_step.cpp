@@ -7,6 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "model/safe_fraction.hpp"
+
 namespace blocks::dynamics {
 
 namespace {
@@ -127,12 +129,6 @@ double least_width(const Eigen::Ref<const Eigen::Matrix2Xd>& corners,
   return least;
 }
 
-double safe_fraction(double damping, double local_damping, int contacts) {
-  const double n = contacts * (1.0 + local_damping);
-  return (std::sqrt(1.0 + 3.0 * n * damping * damping) - damping * std::sqrt(3.0 * n)) /
-         std::sqrt(6.0 * n);
-}
-
 double least_width_of_pieces(double least_area) { return 0.5 * std::sqrt(least_area); }
 
 namespace {
@@ -159,14 +155,14 @@ TimeStep choose_time_step(const Model& model) {
   const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
   const ContactStiffness stiffness(model);
+  const double fraction = fraction_in_force(settings);
 
   TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size()};
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))
       continue;
     const double mass = least_mass(settings, blocks, b);
-    const double dt =
-        settings.fraction * 2.0 * std::sqrt(mass / stiffness.of(blocks, b));
+    const double dt = fraction * 2.0 * std::sqrt(mass / stiffness.of(blocks, b));
     if (dt < best.dt)
       best = {dt, b, blocks.size(), false, mass < blocks.mass[b]};
   }

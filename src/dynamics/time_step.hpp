@@ -7,7 +7,8 @@ namespace blocks::dynamics {
 
 /// Chooses the largest step that (4), FRACTION and deformability allow, and records the
 /// block that limits it. The stiffness in (4) is the largest that STIFF and the laws of
-/// joints give a contact of the block (docs/laws.md#length). In deformable runs the
+/// joints give a contact of the block (docs/laws.md#length). Without FRACTION, the safe
+/// fraction for the damping in force is taken. In deformable runs the
 /// step is at most half the smallest l sqrt(rho / C11) over the free blocks; l is the
 /// least width in any direction. MDAMP multiplies that by sqrt(1 + z^2) - z.
 /// If the blocks of a material may split, their pieces count: masses of the least area,
@@ -17,12 +18,6 @@ TimeStep choose_time_step(const Model& model);
 /// Returns the least width of the pieces of a deformable block, half the square root of
 /// the least area, [L]. Thinner pieces are refused (docs/cracks.md#the-time-step).
 double least_width_of_pieces(double least_area);
-
-/// Returns the largest fraction of (4) at which a block with `contacts` contacts is
-/// stable under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). Local
-/// damping alpha multiplies the force on a block that moves away from rest by 1 +
-/// alpha. This multiplies n by 1 + alpha.
-double safe_fraction(double damping, double local_damping = 0.0, int contacts = 8);
 
 /// Returns the extents of the current corners of block b along x and y, l_1 and l_2 of
 /// (11), [L].

@@ -68,7 +68,7 @@ struct Settings {
   double contact_tolerance = 0.1;                 ///< [L] CTOL
   double normal_stiffness = 1e6;                  ///< [F/L] STIFN per unit thickness
   double shear_stiffness = 1e6;                   ///< [F/L] STIFS
-  double fraction = 0.0;            ///< TFRAC of the critical time step (4)
+  double fraction = 0.0;            ///< TFRAC of (4); 0: safe_fraction.hpp
   double damping = 0.0;             ///< BETA, fraction of critical damping (18)
   double friction = 0.0;            ///< FRIC
   geometry::Vec2 gravity = {0, 0};  ///< [L/T^2] at the end of the ramp

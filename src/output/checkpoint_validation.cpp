@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "output/checkpoint_crack_validation.hpp"
-#include "output/checkpoint_kept_validation.hpp"
 #include "output/checkpoint_expectations.hpp"
+#include "output/checkpoint_kept_validation.hpp"
 #include "output/checkpoint_law_validation.hpp"
 #include "quantities/curve.hpp"
 
@@ -36,8 +36,7 @@ void expect_settings(const Settings& s) {
   expect("settings/contact_tolerance", s.contact_tolerance, positive);
   expect("settings/normal_stiffness", s.normal_stiffness, positive);
   expect("settings/shear_stiffness", s.shear_stiffness, positive);
-  expect("settings/fraction", s.fraction,
-         {0.0, 1.0, "a number above 0, up to 1", true});
+  expect("settings/fraction", s.fraction, {0.0, 1.0, "a number from 0 to 1"});
   expect("settings/damping", s.damping, not_negative);
   expect("settings/friction", s.friction, not_negative);
   expect("settings/gravity", s.gravity);

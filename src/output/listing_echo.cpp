@@ -7,6 +7,7 @@
 #include "model/crack_report.hpp"
 #include "model/cut_report.hpp"
 #include "model/law_report.hpp"
+#include "model/safe_fraction.hpp"
 
 namespace blocks::output {
 namespace {
@@ -71,7 +72,7 @@ std::string settings_echo(const Model& model) {
       (model.history.interval > 0.0
            ? setting("interval of histories", "DTHIST", model.history.interval)
            : "") +
-      setting("fraction of critical time step", "TFRAC", s.fraction) +
+      setting("fraction of critical time step", "TFRAC", fraction_in_force(s)) +
       setting("time step", "TDEL", step.dt);
   if (s.units.known())
     text += setting("units of length, mass, time", "UNITS",

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "deck/mesh_readers.hpp"
-#include "dynamics/time_step.hpp"
 #include "model/counted.hpp"
 #include "model/drives.hpp"
+#include "model/safe_fraction.hpp"
 #include "run/build_blocks.hpp"
 #include "run/deck_file.hpp"
 #include "run/deck_outlines.hpp"
@@ -237,7 +237,13 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Damping& card) {
     settings.damping = card.beta.value;
+    choose_step_again();
+  }
+  /// The damping has changed.
+  void choose_step_again() {
     self.fraction_by_ = command;
+    if (chooses_fraction(settings))
+      model.time_step.blocks = 0;
   }
   void operator()(const deck::Joint& card) { self.define_joint(command, card); }
   void operator()(const deck::Walton& card) { self.define_walton(command, card); }
@@ -247,7 +253,7 @@ struct Builder::Visitor {
   void operator()(const deck::Drive& card) { self.drive(command, card); }
   void operator()(const deck::Locdamp& card) {
     settings.local_damping = card.alpha.value;
-    self.fraction_by_ = command;
+    choose_step_again();
   }
   void operator()(const deck::Kindamp& card) {
     settings.kinetic_damping = card.on.value != 0;
@@ -326,8 +332,7 @@ void Builder::begin_to_move(SharedCertificate certificate) {
   certificate_ = std::move(certificate);
   planes_.clear();
   crack_cards_.clear();
-  fraction_told_ =
-      dynamics::safe_fraction(model_.settings.damping, model_.settings.local_damping);
+  fraction_told_ = safe_fraction(model_.settings);
   known_blocks_ = checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 

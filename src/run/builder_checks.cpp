@@ -10,6 +10,7 @@
 #include "geometry/contact_predicates.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
+#include "model/safe_fraction.hpp"
 #include "run/contact_room.hpp"
 #include "run/history_card.hpp"
 
@@ -183,18 +184,15 @@ void Builder::check_history_interval(const Command& motion) {
 
 void Builder::check_fraction(const Command& command) {
   const Settings& settings = model_.settings;
-  const double safe = dynamics::safe_fraction(settings.damping, settings.local_damping);
+  const double safe = safe_fraction(settings);
   const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
   if (settings.fraction > safe && (fraction_told_ == 0.0 || safe < fraction_told_)) {
-    const std::string given = fmt::format(
-        "FRACTION {:g} with DAMPING {:g}{}", settings.fraction, settings.damping,
-        settings.local_damping > 0.0
-            ? fmt::format(" and LOCDAMP {:g}", settings.local_damping)
-            : "");
-    const std::string hint =
-        fmt::format("for 8 contacts per block the largest safe FRACTION is {:.2g} "
-                    "(docs/departures.md, time step)",
-                    safe);
+    const std::string given = fmt::format("FRACTION {:g} with {}", settings.fraction,
+                                          damping_in_words(settings));
+    const std::string hint = fmt::format(
+        "for 8 contacts per block the largest safe FRACTION is {:.2g}, which a "
+        "blank FRACTION takes (docs/departures.md, time step)",
+        safe);
     // Without damping, such a step is unstable even for a single contact.
     constexpr double refused = 3.0;
     if (settings.fraction > refused * safe)

@@ -7,6 +7,7 @@
 #include "model/crack_report.hpp"
 #include "model/cut_report.hpp"
 #include "model/law_report.hpp"
+#include "model/safe_fraction.hpp"
 
 namespace blocks::run {
 
@@ -48,7 +49,7 @@ std::string check_report(const std::string& file, const Model& model,
   if (present > 0) {
     const TimeStep step = dynamics::choose_time_step(model);
     text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt,
-                        step.block + 1, limit_in_words(step));
+                        step.block + 1, limit_in_words(step, model.settings));
   }
   return text;
 }

@@ -10,8 +10,8 @@
 
 #include "dynamics/cracks/cracking.hpp"
 #include "model/counted.hpp"
-#include "model/crack_report.hpp"
 #include "model/law_report.hpp"
+#include "model/safe_fraction.hpp"
 #include "run/continuation_hint.hpp"
 #include "run/interrupt.hpp"
 #include "run/profile_table.hpp"
@@ -161,7 +161,7 @@ void Executor::start() {
     echo();
     console_.note(fmt::format(
         "dt {:.6g} set by block {} ({}), {}, seed {}", model_.time_step.dt,
-        model_.time_step.block + 1, limit_in_words(model_.time_step),
+        model_.time_step.block + 1, limit_in_words(model_.time_step, model_.settings),
         counted(model_.blocks.count_present(), "block"), model_.settings.seed));
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
@@ -170,7 +170,7 @@ void Executor::start() {
   if (started_moving_ && model_.time_step.dt != old_dt)
     console_.note(fmt::format("dt {:.6g} from now on, set by block {} ({})",
                               model_.time_step.dt, model_.time_step.block + 1,
-                              limit_in_words(model_.time_step)));
+                              limit_in_words(model_.time_step, model_.settings)));
   if (!in_order && !model_.order.empty())
     console_.note(
         "blocks are renumbered internally for memory locality; output is unaffected");

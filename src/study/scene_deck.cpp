@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "model/safe_fraction.hpp"
+
 namespace blocks::study {
 namespace {
 
@@ -30,7 +32,7 @@ std::string settings_cards(const Settings& s, int blocks) {
       "STIFF, {}, {}\nFRACTION, {}\n",
       blocks, 100, s.title, s.lower.x(), s.upper.x(), s.lower.y(), s.upper.y(),
       s.boxes_x, s.boxes_y, s.contact_tolerance, s.normal_stiffness, s.shear_stiffness,
-      s.fraction);
+      fraction_in_force(s));
   for (const auto& [number, material] : s.materials)
     cards += fmt::format("MATERIAL, {}, {}, {}, {}\n", number, material.youngs_modulus,
                          material.shear_modulus, material.density);

@@ -5,6 +5,7 @@
 
 #include "dynamics/motion.hpp"
 #include "dynamics/time_step.hpp"
+#include "model/safe_fraction.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
@@ -117,7 +118,19 @@ TEST(TimeStep, SafeFractionFallsWithDamping) {
   const double damping[] = {0, .1, .2, .3, .5, .9};
   const double safe[] = {0.144, 0.090, 0.061, 0.044, 0.028, 0.016};
   for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR(dynamics::safe_fraction(damping[i]), safe[i], 0.0005);
+    EXPECT_NEAR(safe_fraction(damping[i]), safe[i], 0.0005);
+}
+
+// Local damping makes springs stiffer on their way out, dashpots act with old
+// velocities.
+TEST(TimeStep, IsTheSafeOneForTheDampingInForceWithoutFraction) {
+  Scene scene;
+  scene.box(0, 0, 1, 1);
+  scene.model.settings.fraction = 0.0;
+  scene.model.settings.damping = 0.3;
+  scene.model.settings.local_damping = 0.7;
+  scene.prepare();
+  EXPECT_DOUBLE_EQ(scene.dt(), safe_fraction(0.3, 0.7) * 2 * std::sqrt(2000.0 / 1e7));
 }
 
 }  // namespace

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "model/safe_fraction.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {
@@ -61,6 +65,40 @@ TEST(LocalDampingCard, LowersTheLargestSafeFraction) {
   const Outcome run = blocks("check f.deck --set FRACTION.tfrac=0.12", folder.path());
   EXPECT_THAT(run.err,
               HasSubstr("LOCDAMP: FRACTION 0.12 with DAMPING 0 and LOCDAMP 0.8"));
+}
+
+/// Runs a deck without FRACTION and returns the time steps that the run names.
+std::vector<double> steps_without_fraction(const std::string& cards) {
+  const TemporaryFolder folder;
+  std::string text = falls;
+  const std::size_t at = text.find("FRACTION");
+  text.erase(at, text.find('\n', at) + 1 - at);
+  const Outcome run = run_text(folder, "auto", text + cards);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, Not(HasSubstr("FRACTION 0 ")));
+  std::vector<double> steps;
+  for (std::size_t dt = run.err.find("dt "); dt != std::string::npos;
+       dt = run.err.find("dt ", dt + 1))
+    steps.push_back(std::stod(run.err.substr(dt + 3)));
+  return steps;
+}
+
+// A step that is safe without damping makes damped blocks jitter for ever.
+TEST(Fraction, IsTheLargestSafeOneForTheDampingInForceIfAbsent) {
+  const std::vector<double> steps = steps_without_fraction(
+      "CYCLE, 1\nDAMPING, .5\nCYCLE, 1\nLOCDAMP, .7\nCYCLE, 1\nDAMPING, 0\n"
+      "LOCDAMP, 0\nCYCLE, 1\n");
+  ASSERT_EQ(steps.size(), 4U);
+  EXPECT_NEAR(steps[1] / steps[0], safe_fraction(.5) / safe_fraction(0), 1e-4);
+  EXPECT_NEAR(steps[2] / steps[0], safe_fraction(.5, .7) / safe_fraction(0), 1e-4);
+  EXPECT_EQ(steps[3], steps[0]);
+}
+
+TEST(Fraction, OfTheDeckStaysWhenDampingChanges) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      run_text(folder, "given", falls + "CYCLE, 1\nDAMPING, .3\nCYCLE, 1\n");
+  EXPECT_THAT(run.err, Not(HasSubstr("from now on")));
 }
 
 }  // namespace
