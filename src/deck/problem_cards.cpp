@@ -142,17 +142,19 @@ void add_block_cards(std::vector<CardSpec>& cards) {
 /// Adds the cards for boundaries and loads, A.2.7 to A.2.15.
 void add_load_cards(std::vector<CardSpec>& cards) {
   using enum Kind;
-  cards.push_back({.name = "SPLANE",
-                   .section = "A.2.7",
-                   .summary = "a symmetry plane",
-                   .fields = {{"x1", real, {}, any, "[L]", "x of point 1"},
-                              {"y1", real, {}, any, "[L]", "y of point 1"},
-                              {"x2", real, {}, any, "[L]", "x of point 2"},
-                              {"y2", real, {}, any, "[L]", "y of point 2"}},
-                   .notes =
-                       "An infinite frictionless line; the blocks lie on the left when "
-                       "looking from point 1 to point 2. Several are allowed.",
-                   .example = "SPLANE, 0., 10., 0., 0."});
+  cards.push_back(
+      {.name = "SPLANE",
+       .section = "A.2.7",
+       .summary = "a symmetry plane",
+       .fields = {{"x1", real, {}, any, "[L]", "x of point 1"},
+                  {"y1", real, {}, any, "[L]", "y of point 1"},
+                  {"x2", real, {}, any, "[L]", "x of point 2"},
+                  {"y2", real, {}, any, "[L]", "y of point 2"}},
+       .notes = "An infinite frictionless line. The side on the left when looking "
+                "from point 1 to point 2 is kept: all free blocks must lie there. "
+                "A warning names those that are wholly or partly behind the "
+                "plane. Several planes are allowed.",
+       .example = "SPLANE, 0., 10., 0., 0."});
   cards.push_back({.name = "GRAVITY",
                    .section = "A.2.8",
                    .summary = "acceleration due to gravity",

@@ -198,6 +198,7 @@ struct Builder::Visitor {
     settings.planes.push_back(
         {{card.x1.value, card.y1.value}, {card.x2.value, card.y2.value}});
     model.search.invalidate();
+    self.places_.planes[settings.planes.size() - 1] = command.where;
     self.planes_.push_back(command);
   }
   void operator()(const deck::Gravity& card) {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "dynamics/time_step.hpp"
-#include "geometry/contact_predicates.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 #include "model/safe_fraction.hpp"
 #include "run/contact_room.hpp"
 #include "run/history_card.hpp"
+#include "run/plane_check.hpp"
 
 namespace blocks::run {
 
@@ -233,7 +233,6 @@ void Builder::check_steps(const Command& command) {
 }
 
 void Builder::check_planes() {
-  const Blocks& blocks = model_.blocks;
   for (const Command& command : planes_) {
     const auto& card = std::get<deck::Splane>(command.card);
     const Vec2 a(card.x1.value, card.y1.value), b(card.x2.value, card.y2.value);
@@ -246,11 +245,7 @@ void Builder::check_planes() {
               "the points are too far away: overlaps would be rounded to {:.2g}",
               rounding),
           "give two points of the plane near the blocks");
-    bool all_behind = true;
-    for (int c = 0; c < blocks.corners() && all_behind; ++c)
-      all_behind = blocks.is_removed(blocks.corner_block[c]) ||
-                   geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
-    if (all_behind)
+    if (are_all_behind(model_.blocks, {a, b}))
       diagnostics_.error(command.where, command.name,
                          "all blocks are on the wrong side of the plane",
                          "blocks must be on the left when looking from point 1 to "

@@ -5,6 +5,7 @@
 #include "run/card_doubts.hpp"
 #include "run/domain_check.hpp"
 #include "run/physics_check.hpp"
+#include "run/plane_check.hpp"
 
 namespace blocks::run {
 namespace {
@@ -21,6 +22,8 @@ constexpr PlausibilityRule rules[] = {
     {"edge-of-domain", "a free block reaches to XLIMITS or YLIMITS, up to rounding",
      "make the domain wider, or fix the block", Moment::motion, false,
      doubt_edge_of_domain},
+    {"behind-plane", "a free block is wholly or partly behind a plane of SPLANE",
+     "move the plane, or swap its points", Moment::motion, false, doubt_behind_plane},
     {"soft-contacts",
      "the heaviest column overlaps its support by over 5 % of its width",
      "raise stifn of STIFF", Moment::motion, true, doubt_stiffness},

@@ -30,6 +30,8 @@ struct CardPlaces {
   std::optional<deck::SourceLocation> tolerance;  ///< ctol on the BOXES card
   std::optional<deck::SourceLocation> stiffness;  ///< stifn on the STIFF card
   std::map<int, deck::SourceLocation> modulus;    ///< E of a material
+  std::map<std::size_t, deck::SourceLocation>
+      planes;  ///< SPLANE, by index of the plane
 };
 
 /// What the rules see.

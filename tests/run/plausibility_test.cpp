@@ -57,6 +57,13 @@ const RuleCase cases[] = {
      "beyond it: 1\n",
      rigid(rectangle(0, 9, 1, 10) + end),
      rigid(rectangle(0, 8.9, 1, 9.9) + rectangle(0, -10, 1, -9, true) + end)},
+    {"behind-plane",
+     "SPLANE: 2 free blocks wholly or partly behind the plane will be pushed out: "
+     "1 to 2\n",
+     rigid("CLOOP, 3, 2, 0\n" + square + rectangle(-9, -1, 9, 0, true) +
+           "SPLANE, 2.5, 1, 2.5, 0\n" + end),
+     rigid("CLOOP, 3, 2, 0\n" + square + rectangle(-9, -1, 9, 0, true) +
+           "SPLANE, 0, 1, 0, 0\n" + end)},
     {"soft-contacts", "STIFF: the contacts are too soft for the weight of the blocks",
      with(rigid(square + "GRAVITY, 0, -10\n" + end), "1.E7, 1.E7", "1.E5, 1.E5"),
      rigid(square + "GRAVITY, 0, -10\n" + end)},
