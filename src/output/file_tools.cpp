@@ -97,9 +97,12 @@ void TemporaryFile::take_name() {
 }
 
 void TemporaryFile::take_name_keeping_older(const std::string& aside) {
-  std::error_code ignored;  // move_file() reports errors
-  if (std::filesystem::exists(name_, ignored))
-    move_file(name_, name_ + aside);
+  const std::string older = name_ + aside;
+  expect_replaceable(name_);
+  expect_replaceable(older);
+  // There may be none, or another program may set it aside at this moment.
+  if (std::rename(name_.c_str(), older.c_str()) != 0 && errno != ENOENT)
+    throw_errno("write", older);
   take_name();
 }
 

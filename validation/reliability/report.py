@@ -43,6 +43,8 @@ TESTS = [
     ("failing memory is reported, and leaves no incomplete file",
      "the k-th request fails, once or from then on", "reliability/reliability_tests",
      "*FailingMemory*", "tried", "requests"),
+    ("two programs that write files of one name lose and mix nothing",
+     "started at the same time", "reliability/reliability_tests", "TwoAtOnce.*", "pairs", "pairs"),
     ("a bad card gets exactly its message", "a sound deck with one card spoilt",
      "run/run_tests", "*BadCard*", "decks", "decks"),
     ("a deck that cannot be read or built gets exactly its messages",
@@ -131,7 +133,7 @@ def main():
     source = Path(__file__).resolve().parents[2]
     earlier = earlier_rows(report) if sys.argv[3:] else {}
     subprocess.run([build / "tests/fuzz/fuzz_seeds", build / "tests/fuzz/seeds"], check=True)
-    rows = [row_of_tests(build, test) if is_requested(test[1] + test[3]) else
+    rows = [row_of_tests(build, test) if is_requested(test[1] + test[3]) or name_of(test) not in earlier else
             earlier[name_of(test)] for test in TESTS]
     fuzzed = [row_of_fuzz(build, source, target) if is_requested("fuzz_" + target[0]) else
               earlier["fuzz_" + target[0]] for target in FUZZ]
