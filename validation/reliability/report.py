@@ -57,6 +57,13 @@ TESTS = [
      "up to 4 changes", "reliability/reliability_tests", "Mutants.*", "tried", "decks"),
 ]
 
+# Promise, how it is tested, script of the tests, its name in the table.
+SCRIPTS = [
+    ("readers refuse files whose structure is damaged, and name the file",
+     "objects that are missing, of another type or shape, links, stored elsewhere, out of range",
+     "tests/reliability/damaged_structure.py", "damaged_structure"),
+]
+
 # Target, options, inputs of a short and of a thorough run, folders.
 FUZZ = [
     ("deck", [], 2000, 50000, ["tests/corpus/bad", "decks"]),
@@ -128,6 +135,14 @@ def row_of_fuzz(build, source, target):
     return "", f"any bytes, mutants of a corpus: `fuzz_{name}`", words, outcome.returncode == 0
 
 
+def row_of_script(build, source, script):
+    promise, how, path, name = script
+    outcome = subprocess.run(["/usr/bin/python3", source / path, build / "src/blocks", build / "python"],
+                             text=True, stdout=subprocess.PIPE, check=False)
+    count = sum(int(number) for number in re.findall(r"(\d+) inputs", outcome.stdout))
+    return promise, f"{how}: `{name}`", f"{count:,} inputs", outcome.returncode == 0
+
+
 def main():
     build, report = Path(sys.argv[1]).resolve(), Path(sys.argv[2] + ".md")
     source = Path(__file__).resolve().parents[2]
@@ -135,6 +150,8 @@ def main():
     subprocess.run([build / "tests/fuzz/fuzz_seeds", build / "tests/fuzz/seeds"], check=True)
     rows = [row_of_tests(build, test) if is_requested(test[1] + test[3]) or name_of(test) not in earlier else
             earlier[name_of(test)] for test in TESTS]
+    rows += [row_of_script(build, source, script) if is_requested(script[3]) or script[3] not in earlier else
+             earlier[script[3]] for script in SCRIPTS]
     fuzzed = [row_of_fuzz(build, source, target) if is_requested("fuzz_" + target[0]) else
               earlier["fuzz_" + target[0]] for target in FUZZ]
     fuzzed[0] = ("readers take any bytes, and cut any layer", *fuzzed[0][1:])

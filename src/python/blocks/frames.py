@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Frame"]
 
+# Columns of the cell arrays that have more than one.
+_WIDTHS = {"Centroid": 3, "Velocity": 3, "Force": 3, "Stress": 4, "AppliedStress": 4, "StrainRate": 4}
 _REMOVED = 3  # value of the cell array Fixed for a removed block
 
 _Floats = NDArray[np.float64]
@@ -83,7 +85,11 @@ class Frame:
             part = vtk["Steps/PartOffsets"][self.index]
             blocks = vtk["NumberOfCells"][part]
             first = vtk["Steps/CellDataOffsets"][name][self.index]
-            return vtk["CellData"][name][first : first + blocks]
+            values = vtk["CellData"][name][first : first + blocks]
+            shape = (blocks, _WIDTHS[name]) if name in _WIDTHS else (blocks,)
+            if first < 0 or values.shape != shape or values.dtype.kind not in "biuf":
+                raise ValueError(f"CellData/{name} has the wrong shape or type")
+            return values
 
         self._arrays[name] = frozen(self.results._file.read(action))
         return self._arrays[name]
