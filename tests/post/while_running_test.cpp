@@ -130,8 +130,10 @@ TEST(WhileRunning, ReadersDoNotWaitForADeadWriter) {
   EXPECT_EQ(post::ResultsReader(path).frame(0).spin[7], 1);
 }
 
-/// Returns what a run of half a second writes to standard error on a terminal.
-std::string on_a_terminal(const TemporaryFolder& folder, const std::string& arguments) {
+/// Returns what the program writes to standard error on a terminal until it has written
+/// `awaited`. The end of its terminal stops it.
+std::string on_a_terminal(const TemporaryFolder& folder, const std::string& arguments,
+                          const std::string& awaited) {
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
   if (child == 0) {
@@ -143,10 +145,11 @@ std::string on_a_terminal(const TemporaryFolder& folder, const std::string& argu
   }
   std::string text;
   char part[1024];
-  for (ssize_t n; (n = read(terminal, part, sizeof part)) > 0;)
+  for (ssize_t n; text.find(awaited) == std::string::npos &&
+                  (n = read(terminal, part, sizeof part)) > 0;)
     text.append(part, static_cast<std::size_t>(n));
-  waitpid(child, nullptr, 0);
   close(terminal);
+  waitpid(child, nullptr, 0);
   return text;
 }
 
@@ -155,12 +158,11 @@ TEST(WhileRunning, ProgressIsShownOnATerminalOnly) {
   const TemporaryFolder folder;
   folder.write("long.deck", preliminary() + rectangle(0, 0, 1, 1) +
                                 "GRAVITY, 0, -1E-9\nCYCLE, 2000000000\n");
-  const std::string run = "run long.deck --time-limit 0.5";
-  const std::string line = on_a_terminal(folder, run);
+  const std::string line = on_a_terminal(folder, "run long.deck", " left");
   for (const char* part :
        {"\r\033[K[", "step ", " t ", " Ek ", " contacts 0 ", " left"})
     EXPECT_THAT(line, HasSubstr(part));
-  const Outcome piped = blocks(run, folder.path());
+  const Outcome piped = blocks("run long.deck --time-limit 0.5", folder.path());
   EXPECT_EQ(piped.code, 75);
   EXPECT_THAT(piped.err, Not(HasSubstr("\033")));
   EXPECT_THAT(piped.err, Not(HasSubstr(" left")));

@@ -392,7 +392,7 @@ def test_ctrl_c_stops_after_a_step(fall, tmp_path, endless):
     assert process.stdout.readline() == "ready\n"
     time.sleep(0.3)  # so that steps have begun
     process.send_signal(signal.SIGINT)
-    assert process.communicate(timeout=30)[0] == "stopped True\n"
+    assert process.communicate(timeout=300)[0] == "stopped True\n"
 
 
 def test_decks_with_motions(fall):

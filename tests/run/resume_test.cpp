@@ -8,10 +8,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <functional>
+#include <future>
 #include <map>
 #include <random>
 #include <set>
-#include <thread>
 
 #include "run/program.hpp"
 #include "run/stored.hpp"
@@ -385,17 +385,19 @@ TEST(Resumed, WhileAnotherRunWritesIsRefused) {
                preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\nCYCLE, 2000000000\n");
   folder.write("other.deck", preliminary() + rectangle(0, 0, 1, 2) + "CYCLE, 9\n");
   ASSERT_EQ(blocks("run long.deck -q --stop-after 5", folder.path()).code, 75);
-  Outcome second, third;
-  std::thread others([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
-    second = blocks("run long.deck -q --restart long.ckpt.h5", folder.path());
-    third = blocks("run other.deck -q -o long", folder.path());
+  // The first run writes checkpoints, which shows that it has begun, until a signal.
+  auto first = std::async(std::launch::async, [&] {
+    return killed("run long.deck -q --restart long.ckpt.h5 --checkpoint-every 0.01",
+                  "refused", 0.0, SIGTERM, folder.path());
   });
-  EXPECT_EQ(
-      blocks("run long.deck -q --restart long.ckpt.h5 --time-limit 2", folder.path())
-          .code,
-      75);
-  others.join();
+  while (!folder.holds("long.ckpt.h5.prev") &&
+         first.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
+  }
+  const Outcome second =
+      blocks("run long.deck -q --restart long.ckpt.h5", folder.path());
+  const Outcome third = blocks("run other.deck -q -o long", folder.path());
+  folder.write("refused", "");
+  EXPECT_EQ(first.get(), 130);
   for (const Outcome& run : {second, third}) {
     EXPECT_EQ(run.code, 5);
     EXPECT_THAT(run.err, MatchesRegex("blocks: error: cannot write long.vtkhdf: "
