@@ -4,9 +4,9 @@
 #include "geometry/contact_predicates.hpp"
 
 #include <CGAL/Mpzf.h>
-#ifdef CGAL_HAS_MPZF
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
-#else
+#ifndef CGAL_HAS_MPZF
 #include <CGAL/Exact_rational.h>
 #endif
 
@@ -22,6 +22,7 @@ using Number = CGAL::Mpzf;
 #else
 using Number = CGAL::Exact_rational;
 #endif
+using RingKernel = CGAL::Simple_cartesian<Number>;
 
 thread_local unsigned long long undecided_by_filter = 0;
 thread_local unsigned long long undecided_by_doubles = 0;
@@ -107,7 +108,11 @@ int cross_sign(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
   if (quick != unknown)
     return quick;
   ++undecided_by_doubles;
-  return sign(cross(Vector(o, c), Vector(p1, p2)));
+  const auto vector = [](const Vec2& from, const Vec2& to) {
+    return RingKernel::Vector_2(Number(to.x()) - Number(from.x()),
+                                Number(to.y()) - Number(from.y()));
+  };
+  return static_cast<int>(RingKernel::Orientation_2()(vector(o, c), vector(p1, p2)));
 }
 
 /// Tests -part L^2 <= (c - p1).e <= (1 + part) L^2.
