@@ -279,8 +279,8 @@ def parser():
                   "Runs twenty decks with builds of g++ and clang++ at -O0, -O2 and -O3, with 1 to 8 "
                   "threads and every instruction set. Writes validation/reliability/SAME_BITS.md.")
     command.add_argument("--quick", action="store_true",
-                         help="two builds, a quarter of the steps, one and two threads; writes "
-                              "build/bits/QUICK.md")
+                         help="two builds, a sixteenth of the steps, three ways to run each; "
+                              "writes build/bits/QUICK.md")
     command = add("fuzz", fuzz_readers, "every reader under libFuzzer",
                   "Writes validation/reliability/FUZZ.md and keeps the inputs that it finds in "
                   "build/found/TARGET, where the next run continues.")
