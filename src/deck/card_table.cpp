@@ -4,16 +4,12 @@
 
 #include "deck/free_field.hpp"
 #include "deck/problem_cards.hpp"
+#include "deck/ranges.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{};
-constexpr Range positive{0, infinity, true, false, false};
-constexpr Range not_negative{0, infinity, false, false, false};
-constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range a_number{1, 2147483647, false, false, false};
 
 std::vector<CardSpec> preliminary_cards() {

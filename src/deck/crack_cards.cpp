@@ -1,13 +1,11 @@
 #include "deck/crack_cards.hpp"
 
-#include <limits>
+#include "deck/ranges.hpp"
 
 namespace blocks::deck {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Range material_number{1, 2147483647, false, false, false};
-constexpr Range above_zero{0, infinity, true, false, false};
 constexpr Range zero_to_one{0, 1, false, false, false};
 constexpr Range id_or_none{0, 1e9, false, false, false};
 
@@ -23,11 +21,11 @@ std::vector<CardSpec> crack_cards() {
                   {"ten",
                    real,
                    {},
-                   above_zero,
+                   positive,
                    "[F/L^2]",
                    "tensile strength: largest principal stress"},
-                  {"amin", real, {}, above_zero, "[L^2]", "least area of a piece"},
-                  {"tenp", real, "", above_zero, "[F/L^2]",
+                  {"amin", real, {}, positive, "[L^2]", "least area of a piece"},
+                  {"tenp", real, "", positive, "[F/L^2]",
                    "strength under two opposite point loads; blank: no such cracks"},
                   {"id", integer, "0", id_or_none, "[-]",
                    "joint id of the new faces, which are not bonded; 0: none"}},

@@ -1,13 +1,10 @@
 #include "deck/joint_cards.hpp"
 
+#include "deck/ranges.hpp"
+
 namespace blocks::deck {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{};
-constexpr Range not_negative{0, infinity, false, false, false};
-constexpr Range positive{0, infinity, true, false, false};
-constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range joint_id{0, 1e9, false, false, false};
 // More corners, points or rounds are taken as typing errors.
 constexpr Range outline_corners{3, 1e6, false, false, false};

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "deck/ranges.hpp"
 #include "geometry/angle.hpp"
 
 namespace blocks::deck {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{};
-constexpr Range positive{0, infinity, true, false, false};
-constexpr Range not_negative{0, infinity, false, false, false};
-constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range material{1, 2147483647, false, false, false};
 constexpr Range law_id{1, 1e9, false, false, false};
 constexpr Range id_or_all{0, 1e9, false, false, false};

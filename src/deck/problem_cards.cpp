@@ -3,17 +3,13 @@
 #include "deck/crack_cards.hpp"
 #include "deck/joint_cards.hpp"
 #include "deck/law_cards.hpp"
+#include "deck/ranges.hpp"
 #include "deck/rest_cards.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{};
-constexpr Range positive{0, infinity, true, false, false};
-constexpr Range not_negative{0, infinity, false, false, false};
-constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range corners{3, geometry::max_corners, false, false, false};
 constexpr Range angle{-80, 80, false, false, false};
 // A layer of more than a million blocks is taken as a typing error. The limit matters

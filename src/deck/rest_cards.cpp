@@ -1,16 +1,11 @@
 #include "deck/rest_cards.hpp"
 
-#include <limits>
-
 #include "deck/commands.hpp"
+#include "deck/ranges.hpp"
 
 namespace blocks::deck {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range any{};
-constexpr Range positive{0, infinity, true, false, false};
-constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range off_or_on{0, 1, false, false, false};
 constexpr Range below_one{0, 1, false, true, false};
 constexpr Range ratio{0, 1, true, true, false};
