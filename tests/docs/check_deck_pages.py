@@ -197,7 +197,7 @@ def beam(results, _):
     cracks = results.summary["cracks"]
     assert [crack["parent"] for crack in cracks[:3]] == [12, 29, 46], cracks[:3]
     yield r"splits first, at # s", cracks[0]["time"]
-    yield r"four rows\nin # ms", 1e3 * (cracks[2]["time"] - cracks[0]["time"])
+    yield r"four\srows\sin # ms", 1e3 * (cracks[2]["time"] - cracks[0]["time"])
     yield r"there are # cracks", len(cracks)
     moment = 2500 * 9.81 * (4**2 / 8 - 0.125**2 / 2 - 0.25**2 / 24)
     stress = 12 * moment * 0.375
