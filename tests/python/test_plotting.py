@@ -21,6 +21,7 @@ from blocks.figures import math_text
 from blocks.force_lines import links_of
 from blocks.notebooks import html_of
 from blocks.results import read
+from blocks.sides import joint_colour
 
 PROGRAM = os.environ["BLOCKS_PROGRAM"]
 DECKS = Path(__file__).parents[2] / "decks"
@@ -531,3 +532,23 @@ def test_pyplot_is_not_needed_for_notebooks(folder):
         "assert 'matplotlib.pyplot' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code, folder / "stack.vtkhdf"], check=True)
+
+
+def test_sides_have_the_colours_of_joints_and_bonds(folder):
+    run("run", DECKS / "cohesive_slope/cohesive_slope.deck", "-o", folder / "slope", "--stop-after", 400, "-q")
+    frame = read(folder / "slope.vtkhdf")[-1]
+    sides = frame.plot(colour="joint", legend=True).sides
+    marked = int(np.count_nonzero(frame.joint))
+    assert len(sides.get_segments()) == len(frame.corners) + marked > len(frame.corners)
+    assert colors.to_hex(sides.get_colors()[-1]) in {joint_colour(one) for one in np.unique(frame.joint) if one}
+    bonds = frame.plot(colour="bond")
+    middles = [segment.mean(axis=0) for segment in bonds.sides.get_segments()[len(frame.corners):]]
+    assert middles and bonds.sides in list(bonds)
+    low, high = frame.corners.min(axis=0), frame.corners.max(axis=0)
+    assert all((low <= middle).all() and (middle <= high).all() for middle in middles)
+
+
+def test_sides_without_joints_or_laws_are_refused(opened):
+    for colour, reason in (("joint", "no side of a block has a joint id"), ("bond", "no contact has the law")):
+        with pytest.raises(ValueError, match=reason):
+            opened["stack"][-1].plot(colour=colour)

@@ -433,3 +433,27 @@ def test_arguments(fall):
     with pytest.raises(ValueError, match="no blocks"):
         blocks.Simulation(fall.split("CREATE")[0]).step()
     assert repr(sim).startswith("<Simulation 'BOXES FALL ON A FLOOR': 3 blocks, step 0, time 0, time step")
+
+
+def test_displacement_and_rotation(fall, tmp_path):
+    """Both are those that HISTORY records, in its units."""
+    sim = blocks.Simulation(fall)
+    assert not sim.displacement.any()
+    before = sim.centroid.copy()
+    sim.spin[1] = 0.5
+    sim.step(100)
+    assert np.array_equal(sim.displacement, sim.centroid - before) and sim.displacement[1, 1] < 0.0
+    assert np.array_equal(sim.rotation, np.degrees(sim.angle)) and sim.rotation[1] > 0.0
+    sim.cards("CREATE, 4, 1\n5, 5, 6, 6\n5, 6, 6, 5")
+    assert not sim.displacement[-1].any()
+    sim.step(10)
+    assert sim.displacement[-1, 1] < 0.0 and len(sim.displacement) == len(before) + 1
+
+
+def test_pieces_have_no_displacement(decks):
+    sim = blocks.Simulation(decks / "beam/beam.deck", moves=False)
+    count = len(sim)
+    while len(sim) == count and sim.steps < 40_000:
+        sim.step(200)
+    assert len(sim) > count
+    assert np.isnan(sim.displacement[count:]).all() and np.isfinite(sim.displacement[:count]).all()

@@ -23,6 +23,7 @@ from .colours import INK, MAPS, WHOLE, is_dark, material_colour, mix, outlines_o
 from .figures import fit_height, new_figure
 from .force_lines import add_forces
 from .scenes import MARGIN, Scene
+from .sides import SIDES, add_sides, side_handles
 
 __all__ = ["Drawing", "plot"]
 
@@ -42,6 +43,7 @@ class Drawing:
         fixed: PolyCollection with the hatching of fixed blocks, or None.
         forces: LineCollection of the contact forces, the largest last, or None.
         rims: LineCollection of the rims of these lines, or None.
+        sides: LineCollection of the sides of blocks in colours of joints or bonds, or None.
         numbers: Text of the block numbers.
         colorbar: Colorbar, or None.
         legend: Legend of the materials, or None.
@@ -52,6 +54,7 @@ class Drawing:
     fixed: PolyCollection | None = None
     forces: LineCollection | None = None
     rims: LineCollection | None = None
+    sides: LineCollection | None = None
     numbers: list[Text] = field(default_factory=list)
     colorbar: Colorbar | None = None
     legend: Legend | None = None
@@ -63,7 +66,7 @@ class Drawing:
 
     def __iter__(self) -> Iterator[Collection | Text]:
         """All artists, in the order in which they are drawn."""
-        for artist in (self.blocks, self.fixed, self.rims, self.forces):
+        for artist in (self.blocks, self.fixed, self.sides, self.rims, self.forces):
             if artist is not None:
                 yield artist
         yield from self.numbers
@@ -103,16 +106,18 @@ def plot(
     Args:
         state: a Frame, such as results[-1], a Simulation or an Assembly, with n blocks.
         ax: the Axes; None: a new figure, whose height fits the blocks.
-        colour: "material"; a quantity of `Frame.quantity`, such as "speed" or "s22"; an attribute with one
-            number for each block, such as "layer"; an array of such numbers, (n,), or of colours, (n, 3) or
-            (n, 4); None: all blocks are light grey. Blocks without a number (NaN) are grey.
+        colour: "material"; "joint" (the sides of blocks by joint id) or "bond" (the faces with the law of a
+            joint: bonded, or failed and how far they slipped); a quantity of `Frame.quantity`, such as
+            "speed" or "s22"; an attribute with one number for each block, such as "layer"; an array of such
+            numbers, (n,), or of colours, (n, 3) or (n, 4); None: all blocks are light grey. Blocks without a
+            number (NaN) are grey.
         forces: draws contact forces. Each pair of touching blocks has a line from centroid to centroid
             through their contact, whose width is proportional to the force.
         numbers: writes the numbers of blocks that are large enough. They index arrays, from 0.
         cmap: colour map of a quantity, by default that of `blocks plot`. With materials a dictionary of
             colours by number or name: {1: "tan", "coal": "0.2"}.
         colorbar: draws a colour bar of the quantity, or of the forces if there is no quantity.
-        legend: lists the materials, and hatching for fixed blocks.
+        legend: lists the materials, hatching for fixed blocks, and joints or bonds.
         force_scale: [F] that has the full width; None: the largest. Pass one number for several frames, such
             as that of the function force_scale().
         force_width: [pt] full width; None: it follows the size of the blocks.
@@ -121,13 +126,14 @@ def plot(
     Raises:
         KeyError: if there is no such quantity.
         NotReadError: if forces of a Simulation are not known: see `Simulation.step`.
-        ValueError: if an array has the wrong shape, or there are no contact forces.
+        ValueError: if an array has the wrong shape, or there are no contact forces, joints or laws.
     """
     scene, is_new = Scene(state), ax is None
     if ax is None:
         ax = new_figure(pyplot=True, shape=scene.shape).subplots()
     options = cbook.normalize_kwargs(options, PolyCollection)
-    ground, values, label, zero = _colours_of(scene, colour, cmap, forces)
+    sides = colour if isinstance(colour, str) and colour in SIDES else ""
+    ground, values, label, zero = _colours_of(scene, "material" if sides else colour, cmap, forces or bool(sides))
     scale = _points_per_length(ax, scene)
     size = scene.block_size * scale  # [pt]
     defaults: dict[str, Any] = {"linewidth": float(np.clip(0.03 * size, 0.15, 0.8))}
@@ -147,13 +153,15 @@ def plot(
     drawing = Drawing(ax, blocks)
     zorder = blocks.get_zorder()
     drawing.fixed = _add_hatching(ax, scene, ground, zorder)
+    if sides:
+        drawing.sides = add_sides(ax, scene, sides, size, zorder)
     if forces:
         drawing.rims, drawing.forces = add_forces(ax, scene, size, force_scale, force_width, zorder)
     if numbers:
         drawing.numbers = _add_numbers(ax, scene, scale, ground, zorder)
     _set_axes(ax, scene)
     if legend:
-        drawing.legend = _add_legend(ax, scene, ground)
+        drawing.legend = _add_legend(ax, scene, ground, side_handles(scene, sides) if sides else [])
     if colorbar:
         drawing.colorbar = _add_colorbar(drawing, scene, label)
     if is_new:
@@ -301,7 +309,7 @@ def _add_numbers(ax: Axes, scene: Scene, scale: float, ground: _Floats, zorder: 
     return texts
 
 
-def _add_legend(ax: Axes, scene: Scene, ground: _Floats) -> Legend:
+def _add_legend(ax: Axes, scene: Scene, ground: _Floats, more: list[Any]) -> Legend:
     look = {"edgecolor": "0.4", "linewidth": 0.4}
     is_grey = scene.is_fixed & np.all(ground[:, :3] == colors.to_rgb(WHOLE), axis=1)
     material, is_listed = scene.state.material, ~scene.is_removed & ~is_grey
@@ -312,6 +320,7 @@ def _add_legend(ax: Axes, scene: Scene, ground: _Floats) -> Legend:
         handles.append(Patch(facecolor=first, label=name, **look))
     if scene.is_fixed.any():
         handles.append(Patch(facecolor=WHOLE, label="fixed", hatch=_hatch(ax), **look))
+    handles += more
     low, high = scene.extent
     if (high - low)[1] < 0.5 * (high - low)[0]:
         place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncol": min(4, len(handles))}

@@ -168,6 +168,11 @@ class Frame:
         return self["Angle"]
 
     @property
+    def rotation(self) -> _Floats:
+        """(n,) rotation since the block was made, in degrees, as HISTORY has it."""
+        return frozen(np.degrees(self.angle))
+
+    @property
     def area(self) -> _Floats:
         """(n,) [L^2] when the block was made."""
         return self["Area"]

@@ -60,7 +60,7 @@ class Simulation(_blocks.Simulation):
         centroid: (n, 2) [L].
         velocity: (n, 2) [L/T] of the centroids. May be written to, for free blocks.
         spin: (n,) [1/T] angular velocity. May be written to, for free blocks.
-        angle: (n,) rotation since the block was made, rad. `rotation` of HISTORY and frames is in degrees.
+        angle: (n,) rotation since the block was made, rad.
         gradient: (n, 2, 2) deformation gradient since the block was made.
         stress: (n, 2, 2) [F/L^2] internal stress (12).
         strain_rate: (n, 2, 2) [1/T] (10).
@@ -96,6 +96,7 @@ class Simulation(_blocks.Simulation):
 
     def __init__(self, deck: DeckLike, threads: int = 1, moves: bool = True):
         super().__init__(*name_and_text(deck), whole(threads, "threads", 1, 1024), moves)
+        self._first_centroid = self.centroid.copy()
 
     def step(self, count: int = 1, read: bool | None = None, *, every: int = 0,
              callback: Callable[[Simulation], Any] | None = None) -> None:
@@ -158,6 +159,15 @@ class Simulation(_blocks.Simulation):
                 among them has advanced the time.
         """
         super().cards(text if isinstance(text, str) else name_and_text(text)[1])
+        self._note_new_blocks()
+
+    def _note_new_blocks(self) -> None:
+        """Keeps the centroids of blocks that cards have added. Those of the pieces of cracks are not known."""
+        first, now = self._first_centroid, self.centroid
+        added = now[len(first):].copy()
+        pieces = self.cracks["child"]
+        added[pieces[pieces >= len(first)] - len(first)] = np.nan
+        self._first_centroid = np.concatenate([first, added])
 
     def set_velocity(self, block: int, velocity: Any, spin: float | None = None) -> None:
         """Sets the velocity (2,) [L/T] of a free block, and its spin [1/T] if given."""
@@ -186,6 +196,21 @@ class Simulation(_blocks.Simulation):
     def write_checkpoint(self, path: str | os.PathLike) -> None:
         """Writes the state for RESTART. An existing file is kept as `path`.prev."""
         super().write_checkpoint(os.fspath(path))
+
+    @property
+    def displacement(self) -> np.ndarray:
+        """(n, 2) [L] of the centroids since the simulation was made, or since later cards made the block.
+
+        Pieces that cracks have split off since then have NaN. Their displacements are in `Frame.displacement`.
+        A copy.
+        """
+        self._note_new_blocks()
+        return self.centroid - self._first_centroid
+
+    @property
+    def rotation(self) -> np.ndarray:
+        """(n,) rotation since the block was made, in degrees, as HISTORY has it. A copy."""
+        return np.degrees(self.angle)
 
     @property
     def units(self) -> Units | None:
