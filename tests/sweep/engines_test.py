@@ -98,9 +98,11 @@ class Sweep:
         """Goes on with all runs but the first that reached the limit of time, which a busy machine may cause."""
         slow = [str(run) for run in self.runs()[1:] if self.outcome(run)["code"] == 75]
         if slow:
-            self.command += ["--retry", "--runs", ",".join(slow), "--time-limit", str(WAIT)]
+            self.command[self.command.index("--time-limit") + 1] = str(WAIT)
+            self.command += ["--retry", "--runs", ",".join(slow)]
             code, text = self.call()
             wait()
+            expect(code != 2, f"the runs do not go on: {text}")
 
     def has_plan(self):
         return (self.folder / "sweep.json").exists()
