@@ -96,10 +96,10 @@ class Sweep:
 
     def allow_more_time(self, wait=lambda: None):
         """Goes on with all runs but the first that reached the limit of time, which a busy machine may cause."""
-        slow = [str(run) for run in self.runs()[1:] if self.outcome(run)["code"] == 75]
+        slow = [run for run in self.runs()[1:] if self.outcome(run)["code"] == 75]
         if slow:
             self.command[self.command.index("--time-limit") + 1] = str(WAIT)
-            self.command += ["--retry", "--runs", ",".join(slow)]
+            self.command += ["--retry", "--runs", f"{slow[0]}-{slow[-1]}"]
             code, text = self.call()
             wait()
             expect(code != 2, f"the runs do not go on: {text}")
