@@ -535,7 +535,7 @@ def test_pyplot_is_not_needed_for_notebooks(folder):
 
 
 def test_sides_have_the_colours_of_joints_and_bonds(folder):
-    run("run", DECKS / "cohesive_slope/cohesive_slope.deck", "-o", folder / "slope", "--stop-after", 400, "-q")
+    run("run", DECKS / "cohesive_slope/cohesive_slope.deck", "-o", folder / "slope", "--until", ".05", "-q")
     frame = read(folder / "slope.vtkhdf")[-1]
     sides = frame.plot(colour="joint", legend=True).sides
     marked = int(np.count_nonzero(frame.joint))
