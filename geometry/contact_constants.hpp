@@ -30,8 +30,8 @@ inline constexpr double deepest_share = 2.0;
 /// A joint is closed if its gap is at most this factor times the deeper overlap there.
 inline constexpr double joint_width = 2.0;
 
-/// But no joint is wider than this part of the longest side of either part. So a part
-/// that is farther away certainly hides nothing.
+/// But no joint is wider than this part of the longest side of own or of other,
+/// whichever is shorter. So a part that is farther away certainly hides nothing.
 inline constexpr double widest_joint = 1.0 / 32.0;
 
 /// A third part counts if its bounding box meets that of the part that it may block,
