@@ -54,9 +54,9 @@ inline constexpr double remaining_share = 0.02;
 inline constexpr double remaining_overlap = 0.125;
 
 /// A released spring passes to another contact of the same pair only if the angle
-/// between the two edges has a larger cosine (18 degrees). Any value from 0 to
-/// 0.9999 gives the same result in all scenes of the study. Above 1 nothing passes
-/// between the two faces of a pair, and bricks fall through.
+/// between the two edges has a larger cosine (18 degrees). Any value gives the same
+/// result in all scenes of the study; above 1 nothing passes between the two faces of a
+/// pair.
 inline constexpr double successor_cosine = 0.95;
 
 /// Two sides form a face, whose length a contact stands for, if their directions are
