@@ -36,7 +36,7 @@ StepResult Stepper::advance(bool readings, double alarm) {
 }
 
 void Stepper::take_velocities_and_loads() {
-  work_.decisions.expire_all();
+  work_.decisions.expire_exact();
   model_.kept = {};
   if (model_.order.empty() || !inside_current_)
     return;

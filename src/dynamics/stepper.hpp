@@ -27,7 +27,7 @@ class Stepper {
   }
   /// To be called after velocities, spins or loads have been changed from outside. The
   /// model must have been up to date before the change. As after a card, the next step
-  /// decides all pairs again.
+  /// makes all decisions again that are kept although they may change.
   void take_velocities_and_loads();
   /// Calls dynamics::advance. If the model has an order, only its time, steps, search,
   /// worst overlap and exits are updated. The rest is out of date until up_to_date().

@@ -50,10 +50,11 @@ struct Decisions {
   }
   /// Discards the decision of pair p.
   void expire(int p) { limits[p] = {}, next_check[p] = 0.0, poses[p].clear(); }
-  /// Discards all decisions, but begins no phase.
-  void expire_all() {
-    for (std::size_t p = 0; p < limits.size(); ++p)
-      expire(static_cast<int>(p));
+  /// Discards the decisions of the exact rule. All others certainly hold.
+  void expire_exact() {
+    for (std::size_t p = 0; p < poses.size(); ++p)
+      if (!poses[p].empty())
+        expire(static_cast<int>(p));
   }
   /// Keeps the decision of pair p, made now by the exact rule, while neither its blocks
   /// nor their neighbours move against each other by `room`. A smaller room than a part
