@@ -219,7 +219,7 @@ int ExactPairRule::find_carrier(const Pair& pair, const Axis& least) const {
       if (!obstacle || !obstacle->hides)
         continue;
       const PartDecision decision = find_axis(third, other);
-      if (!is_slight(decision) &&
+      if (!is_doubtful(decision) && !is_doubtful(find_axis(third, own)) &&
           std::any_of(decision.candidates.begin(), decision.candidates.end(),
                       [](const Candidate& one) { return one.acts; }))
         return third;
@@ -264,8 +264,7 @@ void ExactPairRule::examine(const Pair& pair, Axis& axis, bool is_least) const {
 
 PartDecision ExactPairRule::decide_parts(int part, int other) const {
   PartDecision decision = find_axis(part, other);
-  const bool is_left = decision.choice != Choice::none;
-  if (is_left && !is_slight(decision))
+  if (!is_doubtful(decision))
     return decision;
   const Axis& least = decision.axes.front();
   const Pair pair = pair_of(part, other, depth_of(least));
@@ -273,16 +272,18 @@ PartDecision ExactPairRule::decide_parts(int part, int other) const {
   if (decision.carrier >= 0) {
     decision.choice = Choice::none;
     decision.candidates.clear();
-  } else if (!is_left) {
+  } else if (decision.choice == Choice::none) {
     decision.choice = Choice::least, decision.chosen = 0;
     decision.candidates = candidates(pair, least, true);
   }
   return decision;
 }
 
-/// Returns whether the acting axis is not the least one, although the least one is not
-/// deeper than the slack.
-bool ExactPairRule::is_slight(const PartDecision& decision) const {
+/// Returns whether a pair may be left to a third part: no axis is left, or the acting
+/// axis is not the least one, although the least one is not deeper than the slack.
+bool ExactPairRule::is_doubtful(const PartDecision& decision) const {
+  if (decision.choice == Choice::none)
+    return true;
   if (decision.chosen <= 0)
     return false;
   const Axis& least = decision.axes.front();

@@ -88,7 +88,7 @@ class ExactPairRule {
   std::optional<FarBound> far_bound(const Pair& pair, const PartCorner& corner,
                                     const PartSide& side) const;
   std::optional<FarBound> far_bound(const Pair& pair, const Axis& axis) const;
-  bool is_slight(const PartDecision& decision) const;
+  bool is_doubtful(const PartDecision& decision) const;
   int find_carrier(const Pair& pair, const Axis& least) const;
   std::vector<Blocking> blocking(const Pair& pair, const Axis& axis) const;
   void examine(const Pair& pair, Axis& axis, bool is_least) const;

@@ -56,12 +56,15 @@ KeptDecisions kept_decisions(const Workspace& work) {
                                  arrays.batches.is(slot, &ContactTests::tested),
                                  arrays.batches.is(slot, &ContactTests::certain)});
     });
-    const std::vector<KeptPose>& poses = decisions.poses[p];
+    const std::vector<KeptPose>& poses = decisions.renewals[p].poses;
+    const std::vector<KeptDepth>& depths = decisions.renewals[p].depths;
     kept.poses.insert(kept.poses.end(), poses.begin(), poses.end());
+    kept.depths.insert(kept.depths.end(), depths.begin(), depths.end());
     kept.pairs.push_back({low, high, std::min(decisions.limits[p].two, largest),
                           std::min(decisions.limits[p].neighbours, largest),
                           static_cast<int>(kept.contacts.size() - before),
-                          static_cast<int>(poses.size())});
+                          static_cast<int>(poses.size()),
+                          static_cast<int>(depths.size())});
   }
   kept.start = decisions.bounds.poses();
   for (std::size_t b = 0; b < work.changed_blocks.size(); ++b)
@@ -89,14 +92,15 @@ void restore_decisions(Model& model, Workspace& work) {
   std::size_t k = 0;
   const KeptContact* contact = kept.contacts.data();
   auto pose = kept.poses.begin();
+  auto depth = kept.depths.begin();
   for (int p = 0; p < work.index.size(); ++p) {
     const KeptPair& pair = kept.pairs[static_cast<std::size_t>(p)];
     const auto limit = [](double stored) {
       return stored < largest ? stored : infinite;
     };
     decisions.limits[p] = {limit(pair.limit), limit(pair.limit_of_neighbours)};
-    decisions.poses[p].assign(pose, pose + pair.poses);
-    pose += pair.poses;
+    decisions.renewals[p] = {{pose, pose + pair.poses}, {depth, depth + pair.depths}};
+    pose += pair.poses, depth += pair.depths;
     const bool has_listed = k < listed.pair.size() && listed.pair[k] == p;
     if (pair.contacts > 0)
       contacts.add(p,

@@ -17,6 +17,7 @@ struct KeptPair {
   double limit = 0.0, limit_of_neighbours = 0.0;
   int contacts = 0;  ///< number of its entries in KeptDecisions::contacts
   int poses = 0;     ///< the same in KeptDecisions::poses
+  int depths = 0;    ///< the same in KeptDecisions::depths
 };
 
 /// A contact that may act.
@@ -33,12 +34,22 @@ struct KeptPose {
   Eigen::Vector4d gradient = Eigen::Vector4d::Zero();  ///< deformation gradient
 };
 
+/// A depth on which a decision depends: that of the deepest corner of the part `other`
+/// below a side of the part `own`. The decision holds while it is between two limits.
+struct KeptDepth {
+  int own_block = 0, own_part = 0;      ///< block, and number of the part in it
+  int other_block = 0, other_part = 0;  ///< the same
+  int side = 0;                         ///< number of the side in `own`
+  double least = 0.0, most = 0.0;       ///< [L] limits
+};
+
 /// All decisions of a run. Blocks and corners have the numbers of the steps
 /// (Model::order).
 struct KeptDecisions {
   std::vector<KeptPair> pairs;  ///< near pairs of the last search, ascending
   std::vector<KeptContact> contacts;
   std::vector<KeptPose> poses;
+  std::vector<KeptDepth> depths;
   std::vector<KeptPose> start;  ///< (blocks) at the beginning of the phase
   std::vector<int> pieces;  ///< blocks that have split since the last search, ascending
   long spoiled = 0;         ///< decisions of this phase that soon expire again

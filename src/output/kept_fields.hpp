@@ -21,15 +21,17 @@ void visit_poses(P& poses, const char* name, Archive& ar) {
 }
 
 template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
-  auto& [pairs, contacts, poses, start, pieces, spoiled] = kept;
+  auto& [pairs, contacts, poses, depths, start, pieces, spoiled] = kept;
   ar.records("kept/pairs", pairs, [](auto& column, auto& pair) {
-    auto& [low, high, limit, limit_of_neighbours, contact_count, pose_count] = pair;
+    auto& [low, high, limit, limit_of_neighbours, contact_count, pose_count,
+           depth_count] = pair;
     column("low", low);
     column("high", high);
     column("limit", limit);
     column("limit_of_neighbours", limit_of_neighbours);
     column("contacts", contact_count);
     column("poses", pose_count);
+    column("depths", depth_count);
   });
   ar.records("kept/contacts", contacts, [](auto& column, auto& contact) {
     auto& [corner, edge, tested, certain] = contact;
@@ -39,6 +41,16 @@ template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
     column("certain", certain);
   });
   visit_poses(poses, "kept/poses", ar);
+  ar.records("kept/depths", depths, [](auto& column, auto& depth) {
+    auto& [own_block, own_part, other_block, other_part, side, least, most] = depth;
+    column("own_block", own_block);
+    column("own_part", own_part);
+    column("other_block", other_block);
+    column("other_part", other_part);
+    column("side", side);
+    column("least", least);
+    column("most", most);
+  });
   visit_poses(start, "kept/start", ar);
   ar("kept/pieces", pieces);
   ar("kept/spoiled", spoiled);

@@ -233,6 +233,20 @@ TEST(ExactPairRule, ATipAboveANarrowGapActs) {
             std::string::npos);
 }
 
+// Two tips are crossed and sunk into a floor. Each of the three blocks hides the axes
+// of the other two, so each pair may be left to the third block; it is left in one
+// case.
+TEST(ExactPairRule, CarriersLeanOnNobody) {
+  const Cluster cluster =
+      cluster_of({box(-8, -1, 8.1, 1),
+                  {{-3.5502, -0.0519}, {-1.5659, 1.1739}, {-1.5568, 0.4740}},
+                  {{-2.9034, 1.3670}, {-3.5229, -0.1615}, {-3.6956, 1.4787}}});
+  int left = 0;
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
+    left += contacts(cluster, a, b).empty();
+  EXPECT_LE(left, 1);
+}
+
 // A box is on the top of an L, where an inner side ends in its bottom.
 TEST(ExactPairRule, AnInnerSideIsHidden) {
   const Cluster cluster = cluster_of(

@@ -125,7 +125,7 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
         for (int b = 0; b < start.size(); ++b)
           if (b != pair.low && b != pair.high && left > 0.0)
             cluster.move(b, cluster.clusters.uniform(0.0, 0.7) * left);
-        if (decisions.growth_left(blocks, index, p) > 0.0) {
+        if (decisions.growth_left(blocks, cluster.work.parts, index, p) > 0.0) {
           const Contacts after = cluster.exact(p);
           ASSERT_EQ(cluster.acting(p), after) << "pair " << p << " moved by " << own;
           ++count.moved;
@@ -141,6 +141,37 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
   EXPECT_GT(count.changed, count.moved / 100);
   RecordProperty("pairs", static_cast<int>(count.pairs));
   RecordProperty("in_doubt", static_cast<int>(count.pairs - count.certain));
+}
+
+// A depth does not leave its limits while the motion of the pair is shorter than the
+// bound. So no step needs to compute it before.
+TEST(KeptDepths, StayInTheirLimitsDuringShortMotion) {
+  long counted = 0;
+  for (std::uint64_t number = 0; number < 10'000; ++number) {
+    SCOPED_TRACE(number);
+    Cluster cluster(number);
+    const Decisions& decisions = cluster.work.decisions;
+    Blocks& blocks = cluster.model.blocks;
+    for (int p = 0; p < cluster.work.index.size(); ++p) {
+      cluster.exact(p);
+      const double motion = decisions.motion_to_limits(blocks, cluster.work.parts,
+                                                       cluster.scratch.depths);
+      if (!(motion > 1e-9 && motion < 1.0))
+        continue;
+      const Blocks start = blocks;
+      const auto [low, high] = cluster.work.index.pairs[p];
+      const double share = cluster.clusters.uniform(0.0, 1.0);
+      cluster.move(low, share * 0.999 * motion);
+      cluster.move(high, (1.0 - share) * 0.999 * motion);
+      ASSERT_GT(decisions.motion_to_limits(blocks, cluster.work.parts,
+                                           cluster.scratch.depths),
+                0.0)
+          << "pair " << p << " moved by " << motion;
+      ++counted;
+      blocks = start;
+    }
+  }
+  EXPECT_GT(counted, 10'000);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Decisions made(const PairIndex& index, double of_neighbours) {
   for (int p = 0; p < index.size(); ++p) {
     decisions.limits.push_back({1.0 + p, of_neighbours});
     decisions.next_check.push_back(0.25 + p);
-    decisions.poses.emplace_back();
+    decisions.renewals.emplace_back();
   }
   return decisions;
 }
@@ -140,45 +140,72 @@ TEST(KeptDecisions, AreStateThatACopyGoesOnWith) {
   }
 }
 
+/// Three boxes of size 1 in a row; the pair of the first two has a kept decision.
+struct Row {
+  Model model;
+  BlockParts parts;
+  PairIndex index = index_of({{0, 1}, {1, 2}}, 3);
+  Decisions decisions;
+
+  Row() {
+    for (const double x : {0.0, 1.0, 2.0}) {
+      NewBlock block;
+      block.outline = {{x, 0}, {x, 1}, {x + 1, 1}, {x + 1, 0}};
+      block.density = 1.0;
+      model.blocks.append({block});
+    }
+    parts.make(model.blocks);
+    decisions.bounds.start(model.blocks, true);
+    decisions.reset(model.blocks, 2);
+  }
+  void keep(const std::vector<KeptDepth>& depths) {
+    decisions.keep_exact(model.blocks, parts, index, 0, depths);
+  }
+  bool holds() {
+    decisions.bounds.grow(1e-2);
+    return decisions.growth_left(model.blocks, parts, index, 0) > 0.0;
+  }
+};
+
 // A decision of the exact rule is made again when a block or a neighbour has moved by
 // the renewal distance, but not if all of them move together.
 TEST(KeptDecisions, OfTheExactRuleEndAfterTheRenewalDistance) {
-  Model model;
-  for (const double x : {0.0, 1.0, 2.0}) {
-    NewBlock block;
-    block.outline = {{x, 0}, {x, 1}, {x + 1, 1}, {x + 1, 0}};
-    block.density = 1.0;
-    model.blocks.append({block});
-  }
-  Blocks& blocks = model.blocks;
-  const PairIndex index = index_of({{0, 1}, {1, 2}}, 3);
-  Decisions decisions;
-  decisions.bounds.start(blocks, true);
-  decisions.reset(blocks, 2);
-  const double room = 1e-5;
-  decisions.keep_exact(blocks, index, 0, room);
-  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
+  Row three;
+  Blocks& blocks = three.model.blocks;
+  const double distance = geometry::renewal_of_arm * three.decisions.bounds.longest[0];
+  three.keep({});
+  EXPECT_TRUE(three.holds());
   blocks.centroid.colwise() += Vec2(3.0, 5.0);
-  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
-  blocks.centroid(0, 2) += 0.9 * room;  // a neighbour of block 1
-  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
-  blocks.centroid(0, 2) += 0.2 * room;
-  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
-  decisions.keep_exact(blocks, index, 0, room);
-  blocks.gradient.col(1) = Eigen::Vector4d(1.0, -room, room, 1.0);
-  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
-  // Without any room the distance is an eighth of the slack.
-  const double least =
-      0.125 * geometry::contact_slack * std::min(decisions.bounds.longest[0], 1.0);
-  decisions.keep_exact(blocks, index, 0, 0.0);
-  blocks.centroid(0, 1) += 0.9 * least;
-  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
-  blocks.centroid(0, 1) += 0.2 * least;
-  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
-  // However large the room is, the distance is a part of the arms.
-  decisions.keep_exact(blocks, index, 0, 1.0);
-  blocks.centroid(0, 1) += 1e-4;
-  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
+  EXPECT_TRUE(three.holds());
+  blocks.centroid(0, 2) += 0.9 * distance;  // a neighbour of block 1
+  EXPECT_TRUE(three.holds());
+  blocks.centroid(0, 2) += 0.2 * distance;
+  EXPECT_FALSE(three.holds());
+  three.keep({});
+  blocks.gradient.col(1) = Eigen::Vector4d(1.0, -distance, distance, 1.0);
+  EXPECT_FALSE(three.holds());
+}
+
+// It is also made again when a depth leaves its limits. Here it is that of the second
+// box below the right side of the first one.
+TEST(KeptDecisions, OfTheExactRuleEndWhenADepthLeavesItsLimits) {
+  Row three;
+  const KeptDepth depth{
+      .own_block = 0, .other_block = 1, .side = 2, .least = -1e-8, .most = 3e-8};
+  const auto shifted = [&](double by) {
+    for (int corner = 4; corner < 8; ++corner)
+      three.model.blocks.corner(0, corner) -= by;
+  };
+  three.keep({depth});
+  EXPECT_TRUE(three.holds());
+  for (const double by : {2.9e-8, -3.8e-8}) {
+    shifted(by);
+    EXPECT_TRUE(three.holds());
+  }
+  shifted(-0.2e-8);
+  EXPECT_FALSE(three.holds());
+  shifted(4.2e-8);
+  EXPECT_FALSE(three.holds());
 }
 
 }  // namespace

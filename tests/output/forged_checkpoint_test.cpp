@@ -62,7 +62,10 @@ Model full_model() {
                        .limit = 1e-3,
                        .limit_of_neighbours = 2e-3,
                        .contacts = 1,
-                       .poses = 2}};
+                       .poses = 2,
+                       .depths = 1}};
+  model.kept.depths = {
+      {.own_block = 0, .other_block = 1, .side = 2, .least = -1e-9, .most = 1e-6}};
   model.kept.pieces = {1};
   model.kept.spoiled = 1;
   model.energy.sums.assign(energy_entries, 0.25);

@@ -132,7 +132,7 @@ TEST(DefaultVariant, GivesTheBitsOfARun) {
       variant->find(studied, b);
       variant->step(studied, b);
       for (int p = 0; p < b.index.size(); ++p)
-        kept += b.decisions.growth_left(studied.blocks, b.index, p) > 0.0;
+        kept += b.decisions.growth_left(studied.blocks, b.parts, b.index, p) > 0.0;
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;
@@ -148,7 +148,7 @@ struct KnownFailure {
   long most_fell;              ///< frames
   double most_lost;            ///< mean of the speed lost
   double most_energy;          ///< worst error
-  double most_phantom = 1e-4;  ///< shares of contacts in kept decisions
+  double most_phantom = 1e-3;  ///< shares of contacts in kept decisions
 };
 constexpr std::array known_failures = {
     // A tip at a joint presses two springs, which lose some energy.
@@ -183,7 +183,7 @@ TEST(DefaultVariant, NeitherHangsNorFallsThrough) {
     const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
     EXPECT_FALSE(row.wrong_signs.value > 0.0) << name;
     const KnownFailure* known = known_failure(name);
-    const double most_phantom = known ? known->most_phantom : 1e-4;
+    const double most_phantom = known ? known->most_phantom : 1e-3;
     EXPECT_FALSE(row.phantom.value > most_phantom) << name;
     EXPECT_FALSE(row.missed.value > most_phantom) << name;
     if (known) {

@@ -80,7 +80,7 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
       arrays.assign(blocks, index, p, is_kept ? scratch.candidates : scratch.found,
                     is_kept, thread.changes);
       if (is_kept)
-        decisions.keep_exact(blocks, index, p, scratch.room);
+        decisions.keep_exact(blocks, parts, index, p, scratch.depths);
       else
         decisions.expire(p);
     }
@@ -89,15 +89,15 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
 
 /// Finds the pairs of the half-open range [begin, end) whose decisions have expired.
 template <class Rules>
-void find_due(const Blocks& blocks, const PairIndex& index, Decisions& decisions,
-              int begin, int end, std::vector<int>& due) {
+void find_due(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
+              Decisions& decisions, int begin, int end, std::vector<int>& due) {
   const double most = decisions.bounds.most;
   due.clear();
   for (int p = begin; p < end; ++p) {
     if (Rules::keeps_decisions && most < decisions.next_check[p])
       continue;
     const double left =
-        Rules::keeps_decisions ? decisions.growth_left(blocks, index, p) : 0.0;
+        Rules::keeps_decisions ? decisions.growth_left(blocks, parts, index, p) : 0.0;
     if (left > 0.0)
       decisions.next_check[p] = most + left;
     else
@@ -123,7 +123,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
   };
   if (Rules::keeps_decisions && decisions.phase_is_over()) {
     workers.each(split.windows, [&](int, int begin, int end) {
-      decisions.carry_over(blocks, index, pairs_until(begin), pairs_until(end));
+      decisions.carry_over(blocks, parts, index, pairs_until(begin), pairs_until(end));
     });
     decisions.begin_phase(blocks);
   }
@@ -131,8 +131,8 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
   workers.each(split.windows, [&](int k, int begin, int end) {
     DecisionThread& thread = memory.threads[k];
     const unsigned long long before = geometry::exact::calls();
-    find_due<Rules>(blocks, index, decisions, pairs_until(begin), pairs_until(end),
-                    thread.due);
+    find_due<Rules>(blocks, parts, index, decisions, pairs_until(begin),
+                    pairs_until(end), thread.due);
     decide_due(rules, blocks, parts, index, decisions, arrays, thread);
     thread.exact_calls += geometry::exact::calls() - before;
   });

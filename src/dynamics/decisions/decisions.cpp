@@ -50,7 +50,7 @@ void Decisions::reset(const Blocks& blocks, int pairs) {
   begin_phase(blocks);
   limits.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
-  poses.assign(static_cast<std::size_t>(pairs), {});
+  renewals.assign(static_cast<std::size_t>(pairs), {});
 }
 
 void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
@@ -61,8 +61,8 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
   std::vector<double> old_checks(now.pairs.size(), 0.0);
   limits.swap(old_limits);
   next_check.swap(old_checks);
-  std::vector<std::vector<KeptPose>> old_poses(now.pairs.size());
-  poses.swap(old_poses);
+  std::vector<Renewal> old_renewals(now.pairs.size());
+  renewals.swap(old_renewals);
   std::size_t k = 0;
   for (std::size_t p = 0; p < now.pairs.size(); ++p) {
     const auto [low, high] = now.pairs[p];
@@ -75,7 +75,7 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
     if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
     limits[p] = old_limits[k], next_check[p] = old_checks[k];
-    poses[p].swap(old_poses[k]);
+    std::swap(renewals[p], old_renewals[k]);
   }
 }
 
@@ -98,23 +98,25 @@ PairMotion Decisions::motion_of(const Blocks& blocks, const PairIndex& index, in
   return {two, two + farthest};
 }
 
-void Decisions::keep_exact(const Blocks& blocks, const PairIndex& index, int p,
-                           double room) {
+void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
+                           const PairIndex& index, int p,
+                           const std::vector<KeptDepth>& depths) {
   const auto [low, high] = index.pairs[p];
-  const double arm = std::min(bounds.longest[low], bounds.longest[high]);
   const double limit =
-      std::clamp(room, geometry::renewal_of_overlap * geometry::contact_slack * arm,
-                 geometry::renewal_of_arm * arm);
+      geometry::renewal_of_arm * std::min(bounds.longest[low], bounds.longest[high]);
   limits[p] = {limit, limit};
-  std::vector<KeptPose>& kept = poses[p];
-  kept.clear();
+  Renewal& renewal = renewals[p];
+  renewal.depths = depths;
+  renewal.poses.clear();
   const auto add = [&](int block) {
-    kept.push_back({block, blocks.centroid.col(block), blocks.gradient.col(block)});
+    renewal.poses.push_back(
+        {block, blocks.centroid.col(block), blocks.gradient.col(block)});
   };
   add(low);
   index.neighbours.each(low, add);
   index.neighbours.each(high, add);
-  next_check[p] = bounds.most + growth_until(limits[p]);
+  renewal.next_check = 0.0;
+  next_check[p] = bounds.most + growth_left(blocks, parts, index, p);
 }
 
 double Decisions::motion_since(const Blocks& blocks,
@@ -132,11 +134,44 @@ double Decisions::motion_since(const Blocks& blocks,
   return most + turn(kept.front());
 }
 
-double Decisions::growth_left(const Blocks& blocks, const PairIndex& index,
-                              int p) const {
-  if (!poses[p].empty()) {
-    const double left = limits[p].two - motion_since(blocks, poses[p]);
-    return growth_until({left, left});
+double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts,
+                                   const std::vector<KeptDepth>& depths) const {
+  double least = infinite;
+  for (const KeptDepth& kept : depths) {
+    const int own = parts.first_part(kept.own_block) + kept.own_part,
+              other = parts.first_part(kept.other_block) + kept.other_part;
+    const Side side = parts.side(own, kept.side);
+    const Vec2 start = blocks.corner.col(side.start),
+               along = blocks.corner.col(side.end) - start;
+    double depth = -infinite;
+    for (int k = 0; k < parts.corners(other); ++k)
+      depth = std::max(
+          depth,
+          geometry::cross(blocks.corner.col(parts.corner(other, k)) - start, along));
+    depth /= along.norm();
+    // Seen from `own`, corners of `other` move faster than the pair if they are far.
+    const double away =
+        (blocks.centroid.col(kept.other_block) - blocks.centroid.col(kept.own_block))
+            .norm() +
+        bounds.longest[kept.other_block];
+    const double hold = (bounds.rigid ? 1.0 : 0.25) *
+                        std::min(1.0, 2.0 * bounds.longest[kept.own_block] / away);
+    least = std::min(least, hold * std::min(depth - kept.least, kept.most - depth));
+  }
+  return least;
+}
+
+double Decisions::growth_left(const Blocks& blocks, const BlockParts& parts,
+                              const PairIndex& index, int p) {
+  if (!renewals[p].empty()) {
+    Renewal& renewal = renewals[p];
+    const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
+    if (!(bounds.most < renewal.next_check)) {
+      const double left = limits[p].two - motion_since(blocks, renewal.poses);
+      renewal.next_check = bounds.most + growth_until({left, left});
+    }
+    return std::min(growth_until({to_limits, infinite}),
+                    renewal.next_check - bounds.most);
   }
   const bool neighbours = limits[p].neighbours < infinite;
   const PairMotion now = motion_of(blocks, index, p, neighbours);
@@ -145,7 +180,7 @@ double Decisions::growth_left(const Blocks& blocks, const PairIndex& index,
 
 bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
                      const PairMotion& room) {
-  poses[p].clear();
+  renewals[p].clear();
   // A motion from now on is at most the sum of the motions of the phase until now and
   // until then. So the limits are the rooms less the motions until now.
   const PairMotion now = motion_of(blocks, index, p, room.neighbours < infinite);
@@ -155,12 +190,12 @@ bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
   return limits[p].two < 0.5 * room.two || limits[p].neighbours < 0.5 * room.neighbours;
 }
 
-void Decisions::carry_over(const Blocks& blocks, const PairIndex& index, int begin,
-                           int end) {
+void Decisions::carry_over(const Blocks& blocks, const BlockParts& parts,
+                           const PairIndex& index, int begin, int end) {
   for (int p = begin; p < end; ++p) {
-    if (!poses[p].empty()) {
-      const double left = limits[p].two - motion_since(blocks, poses[p]);
-      next_check[p] = growth_until({left, left});
+    if (!renewals[p].empty()) {
+      next_check[p] = growth_left(blocks, parts, index, p);
+      renewals[p].next_check -= bounds.most;
       continue;
     }
     PairMotion& limit = limits[p];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dynamics/decisions/motion_bounds.hpp"
+#include "dynamics/rules/block_parts.hpp"
 #include "dynamics/search/pair_index.hpp"
 
 namespace blocks::dynamics {
@@ -17,11 +18,21 @@ struct PairMotion {
   double neighbours = 0.0;
 };
 
+/// When a decision of the exact rule has to be made again. Empty for other decisions.
+struct Renewal {
+  std::vector<KeptPose> poses;    ///< of the two blocks and their neighbours, then
+  std::vector<KeptDepth> depths;  ///< of the axes on which it depends
+  /// [L] The motion is certainly below its limit while MotionBounds::most is less than
+  /// this.
+  double next_check = 0.0;
+
+  bool empty() const { return poses.empty(); }
+  void clear() { poses.clear(), depths.clear(); }
+};
+
 struct Decisions {
   MotionBounds bounds;
-  /// (pairs) The poses of the two blocks and their neighbours when the exact rule
-  /// decided the pair; empty for other decisions.
-  std::vector<std::vector<KeptPose>> poses;
+  std::vector<Renewal> renewals;  ///< (pairs)
   /// (pairs) [L] The decision of a pair holds while both motions are below these
   /// limits. The limit for neighbours is infinite if they do not matter.
   std::vector<PairMotion> limits;
@@ -49,21 +60,23 @@ struct Decisions {
     return spoiled * cost_of_decision > static_cast<long>(limits.size());
   }
   /// Discards the decision of pair p.
-  void expire(int p) { limits[p] = {}, next_check[p] = 0.0, poses[p].clear(); }
+  void expire(int p) { limits[p] = {}, next_check[p] = 0.0, renewals[p].clear(); }
   /// Discards the decisions of the exact rule. All others certainly hold.
   void expire_exact() {
-    for (std::size_t p = 0; p < poses.size(); ++p)
-      if (!poses[p].empty())
+    for (std::size_t p = 0; p < renewals.size(); ++p)
+      if (!renewals[p].empty())
         expire(static_cast<int>(p));
   }
-  /// Keeps the decision of pair p, made now by the exact rule, while neither its blocks
-  /// nor their neighbours move against each other by `room`. A smaller room than a part
-  /// of the slack counts as that part.
-  void keep_exact(const Blocks& blocks, const PairIndex& index, int p, double room);
+  /// Keeps the decision of pair p, made now by the exact rule, until one of the depths
+  /// leaves its limits, or its blocks and their neighbours have moved against each
+  /// other by a part of an arm.
+  void keep_exact(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
+                  int p, const std::vector<KeptDepth>& depths);
   /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);
   /// Keeps the decisions of the pairs [begin, end) in the phase that is about to begin.
-  void carry_over(const Blocks& blocks, const PairIndex& index, int begin, int end);
+  void carry_over(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
+                  int begin, int end);
 
   /// Returns the net motion of pair p since the beginning of the phase, [L]. Without
   /// `neighbours`, only that of its two blocks counts.
@@ -72,9 +85,14 @@ struct Decisions {
   /// Returns by how much blocks have moved against the first one since they were at
   /// these poses, [L].
   double motion_since(const Blocks& blocks, const std::vector<KeptPose>& kept) const;
+  /// Returns the smallest motion of a pair that can take a depth to one of its limits,
+  /// [L]; not positive if a depth has passed one.
+  double motion_to_limits(const Blocks& blocks, const BlockParts& parts,
+                          const std::vector<KeptDepth>& depths) const;
   /// Returns by how much MotionBounds::most may grow before the decision of pair p may
   /// expire, [L]. If the result is not positive, the decision has expired.
-  double growth_left(const Blocks& blocks, const PairIndex& index, int p) const;
+  double growth_left(const Blocks& blocks, const BlockParts& parts,
+                     const PairIndex& index, int p);
   /// Keeps the decision of pair p, made now, while its motions from now on are less
   /// than `room`. Returns whether the decision is spoiled.
   bool keep(const Blocks& blocks, const PairIndex& index, int p,

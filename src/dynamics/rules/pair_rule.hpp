@@ -10,18 +10,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "dynamics/rules/block_parts.hpp"
+#include "dynamics/rules/kept_depths.hpp"
 #include "dynamics/rules/pair_shape.hpp"
 #include "dynamics/rules/predicates.hpp"
 #include "dynamics/rules/third_parts.hpp"
 #include "geometry/continuation.hpp"
 #include "geometry/polygon.hpp"
 #include "model/blocks.hpp"
+#include "model/kept_decisions.hpp"
 
 namespace blocks::dynamics {
 
@@ -42,10 +43,9 @@ struct PairScratch {
   /// The contacts that may act as long as the decision is kept: each of them acts if
   /// its corner is inside its edge and between the ends.
   std::vector<CornerOnEdge> candidates;
-  /// [L] The decision may be kept while blocks move by less than this.
-  double room = 0.0;
   /// Whether the decision may be kept. If not, it is for this step alone.
   bool may_be_kept = false;
+  std::vector<KeptDepth> depths;  ///< It may be kept while these are in their limits.
   std::unique_ptr<PairScratch> of_third;  ///< for a third part with one of the two
 
   /// Adds a contact unless it is there already.
@@ -106,7 +106,7 @@ template <class Predicates, class Neighbours> class PairRule {
   void clear() {
     scratch_.found.clear();
     scratch_.candidates.clear();
-    scratch_.room = std::numeric_limits<double>::infinity();
+    scratch_.depths.clear();
     scratch_.may_be_kept = true;
   }
   /// What the search for the acting axis of two parts finds.
@@ -115,10 +115,7 @@ template <class Predicates, class Neighbours> class PairRule {
   /// Tests the contacts of the acting axis, unless a third part carries one of the two.
   void decide_parts(int p, int q) {
     const Search search = find_axis(p, q);
-    if (search == Search::apart)
-      return;
-    const bool may_be_carried = search == Search::no_axis || is_slight();
-    if (!(may_be_carried && is_carried()))
+    if (search != Search::apart && !(is_doubtful(search) && is_carried()))
       touch(axis_, facing_);
   }
   /// Finds the first axis in the order of depth that is neither far nor hidden. The
@@ -127,13 +124,13 @@ template <class Predicates, class Neighbours> class PairRule {
   Search find_axis(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!shape_.find_axes(scratch_.axes)) {
-      limit_room(shape_.separation());
+      depths_.keep_apart(shape_.separating());
       return Search::apart;
     }
     take_outlines();
     axis_ = least_ = shape_.take_least(scratch_.axes);
+    depths_.keep_least(least_, scratch_.axes);
     facing_ = shape_.find_facing(least_);
-    limit_room(std::abs(shape_.depth(least_).value));
     if (shape_.depth_sign(least_.side, least_.corner.index) <= 0)
       return Search::axis;
     for (;; axis_ = shape_.take_least(scratch_.axes)) {
@@ -148,18 +145,20 @@ template <class Predicates, class Neighbours> class PairRule {
     facing_ = shape_.find_facing(least_);
     return Search::no_axis;
   }
-  /// Returns whether the acting axis is not the least one, although the two parts
-  /// overlap by no more than the slack: a corner may be beside a joint by rounding. The
-  /// room ends where this changes.
-  bool is_slight() {
+  /// Returns whether a pair may be left to a third part: no axis is left, or the acting
+  /// axis is not the least one, although the two parts overlap by no more than the
+  /// slack: a corner may be beside a joint by rounding.
+  bool is_doubtful(Search search) {
+    if (search != Search::axis)
+      return search == Search::no_axis;
     if (axis_ == least_)
       return false;
     const Segment& e = shape_.at(least_.side);
     return predicates_.near_or_inside(shape_.at(least_.corner).start, e.end, e.start);
   }
   /// Returns whether a third part carries one of the two: it hides the least axis,
-  /// overlaps that part at least half as deep as the two overlap each other, and has a
-  /// contact with it that is not slight.
+  /// overlaps that part at least half as deep as the two overlap each other, has a
+  /// contact with it, and forms a doubtful pair with neither of the two.
   bool is_carried() {
     const Segment& e = shape_.at(least_.side);
     const Vec2& c = shape_.at(least_.corner).start;
@@ -172,29 +171,35 @@ template <class Predicates, class Neighbours> class PairRule {
         found = found || (!geometry::exceeds_separating_shift(
                               c, e.start, e.end, scratch_.outline[1 - k], third) &&
                           geometry::is_hidden_by(least, third, which) &&
-                          has_contact(part, shape_.part(1 - k)));
+                          has_contact(part, shape_.part(1 - k)) &&
+                          !is_doubtful(part, shape_.part(k)));
       });
     }
     return found;
   }
   bool has_contact(int p, int q) {
+    return ask_of_pair(p, q, [](PairRule& rule, Search search) {
+      if (search == Search::apart || rule.is_doubtful(search))
+        return false;
+      rule.touch(rule.axis_, rule.facing_);
+      return !rule.scratch_.found.empty();
+    });
+  }
+  bool is_doubtful(int p, int q) {
+    return ask_of_pair(
+        p, q, [](PairRule& rule, Search search) { return rule.is_doubtful(search); });
+  }
+  /// Applies the rule to two other parts up to the acting axis and asks a question.
+  template <class Question> bool ask_of_pair(int p, int q, const Question& question) {
     if (!scratch_.of_third)
       scratch_.of_third = std::make_unique<PairScratch>();
     PairRule rule(blocks_, parts_, neighbours_, *scratch_.of_third);
     rule.clear();
     const bool in_order = parts_.block(p) < parts_.block(q);
-    const bool acts =
-        rule.find_axis(in_order ? p : q, in_order ? q : p) == Search::axis &&
-        !rule.is_slight();
-    if (acts)
-      rule.touch(rule.axis_, rule.facing_);
-    scratch_.room = std::min(scratch_.room, scratch_.of_third->room);
+    const Search search = rule.find_axis(in_order ? p : q, in_order ? q : p);
+    const bool answer = question(rule, search);
     scratch_.may_be_kept = scratch_.may_be_kept && scratch_.of_third->may_be_kept;
-    return acts && !scratch_.of_third->found.empty();
-  }
-
-  void limit_room(double overlap) {
-    scratch_.room = std::min(scratch_.room, geometry::renewal_of_overlap * overlap);
+    return answer;
   }
 
   void take_outlines() {
@@ -339,6 +344,7 @@ template <class Predicates, class Neighbours> class PairRule {
   PairScratch& scratch_;
   Predicates predicates_;
   PairShape<Predicates> shape_{scratch_.shape, predicates_};
+  KeptDepths<Predicates> depths_{shape_, parts_, scratch_.depths};
   Axis least_, axis_;               ///< the least axis and the acting one
   std::optional<PairSide> facing_;  ///< the facing side of the acting axis
   bool has_thirds_[2] = {};

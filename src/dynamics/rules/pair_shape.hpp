@@ -137,15 +137,15 @@ template <class Predicates> class PairShape {
         const Segment& e = at(axis.side);
         if (!depth(axis).positive() &&
             !predicates_.near_or_inside(at(axis.corner).start, e.start, e.end)) {
-          separation_ = -depth(axis).value;
+          separating_ = axis;
           return false;
         }
         axes.push_back(axis);
       }
     return true;
   }
-  /// [L] the distance by which find_axes has found the two parts separated
-  double separation() const { return separation_; }
+  /// The axis by whose side find_axes has found the two parts separated.
+  const Axis& separating() const { return separating_; }
   /// Removes the least axis from a list and returns it. Of equally deep axes it is the
   /// one that was found first.
   Axis take_least(std::vector<Axis>& axes) {
@@ -235,7 +235,7 @@ template <class Predicates> class PairShape {
 
   PairMemory& parts_;
   Predicates& predicates_;
-  double separation_ = 0.0;
+  Axis separating_;
 };
 
 }  // namespace blocks::dynamics
