@@ -63,16 +63,18 @@ inline constexpr double successor_cosine = 0.95;
 /// opposite within the angle of this cosine (18 degrees).
 inline constexpr double face_cosine = 0.95;
 
-/// A decision of the exact rule is kept until its blocks and their neighbours have moved
-/// against each other by this part of the shorter one of the two longest arms, or until
-/// the least depth has changed by a share of itself or of the slack
+/// A decision of the exact rule is kept until its blocks and their neighbours have
+/// moved against each other by this part of the shorter one of the two longest arms, or
+/// until the least depth has changed by a share of itself or of the slack
 /// (docs/kept-decisions.md#renewal).
-inline constexpr double renewal_of_arm = 1e-4;
+inline constexpr double renewal_of_arm = 1e-3;
 inline constexpr double renewal_share = 0.125;
 
-/// A least depth has changed its sign if it is beyond 0 by this part of the length of
-/// its side. Corners that meet exactly would be decided in every step without it. Up to
-/// 1/128 of the slack makes no difference; with 1/8, sliders strike joints.
+/// Within the slack, the least depth may change by this factor.
+inline constexpr double renewal_factor = 2.0;
+
+/// A corner that was inside is outside again only beyond this part of the length of the
+/// side. Corners that meet exactly would be decided in every step without it.
 inline constexpr double renewal_of_sign = 0x1p-28;
 
 }  // namespace blocks::geometry

@@ -37,10 +37,11 @@ CONSTANTS = {
     "remaining": [1e-12, 0.005, 0.02, 0.1, 0.3],
     "overlap": [0.0, 1 / 16, 0.0875, 1 / 8, 0.1625, 1 / 4, 1 / 2],
     "renewal": [0.0, 1 / 32, 0.0875, 1 / 8, 0.1625, 1 / 2],
-    "arm": [0.0, 7e-5, 1e-4, 1.3e-4, 1e-3, 1e-2],
+    "arm": [0.0, 7e-4, 1e-3, 1.3e-3, 1e-2],
+    "factor": [1.125, 1.4, 2, 2.6, 16, 1e9],
     "sign": [0.0, 0.7 * 2**-28, 2**-28, 1.3 * 2**-28, 2**-25, 2**-21]}
 # These constants are about joints, so `cut` is run for them alone, with 500 times as many frames.
-OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining", "overlap", "renewal", "arm", "sign")
+OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining", "overlap", "renewal", "arm", "factor", "sign")
 MAY_FAIL = ("stake", "toe", "bricks", "triangles", "cut", "bonded")
 DRAWN = ("stake", "toe")
 
@@ -65,7 +66,8 @@ inline const double longest_way = from_environment("SWEEP_WAY", 4.0);
 inline const double remaining_share = from_environment("SWEEP_REMAINING", 0.02);
 inline const double remaining_overlap = from_environment("SWEEP_OVERLAP", 0.125);
 inline const double renewal_share = from_environment("SWEEP_RENEWAL", 0.125);
-inline const double renewal_of_arm = from_environment("SWEEP_ARM", 1e-4);
+inline const double renewal_of_arm = from_environment("SWEEP_ARM", 1e-3);
+inline const double renewal_factor = from_environment("SWEEP_FACTOR", 2.0);
 inline const double renewal_of_sign = from_environment("SWEEP_SIGN", 0x1p-28);
 inline const double successor_cosine = from_environment("SWEEP_SUCCESSOR", 0.95);
 inline constexpr double face_cosine = 0.95;
@@ -128,7 +130,7 @@ def sweep(frames):
         for constant, values in CONSTANTS.items():
             runs = [("all", frames)]
             if constant in OF_JOINTS:
-                runs = [("cut", 500 * frames)] + [("toe", 20 * frames)] * (constant in ("renewal", "arm", "sign"))
+                runs = [("cut", 500 * frames)] + [("toe", 20 * frames)] * (constant in ("renewal", "arm", "factor", "sign"))
             for value, (scene, count) in itertools.product(values, runs):
                 for row in study(program, scene, count, **{constant: value}):
                     out.writerow([constant, value, row["scene"], count,

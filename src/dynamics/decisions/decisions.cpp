@@ -39,6 +39,19 @@ std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
   return found;
 }
 
+/// Returns whether the corners of a block are those of its pose. Before its first step
+/// they are those of the deck, which may be rounded otherwise.
+bool has_corners_of_pose(const Blocks& blocks, int b) {
+  const Eigen::Vector4d& g = blocks.gradient.col(b);
+  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
+    const Vec2 arm = blocks.arm.col(c);
+    const Vec2 turned(g[0] * arm.x() + g[1] * arm.y(), g[3] * arm.y() + g[2] * arm.x());
+    if (blocks.corner.col(c) != blocks.centroid.col(b) + turned)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void Decisions::begin_phase(const Blocks& blocks) {
@@ -109,12 +122,19 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
   renewal.depths = depths;
   renewal.poses.clear();
   const auto add = [&](int block) {
-    renewal.poses.push_back(
-        {block, blocks.centroid.col(block), blocks.gradient.col(block)});
+    if (std::none_of(renewal.poses.begin(), renewal.poses.end(),
+                     [&](const KeptPose& pose) { return pose.block == block; }))
+      renewal.poses.push_back(
+          {block, blocks.centroid.col(block), blocks.gradient.col(block)});
   };
   add(low);
   index.neighbours.each(low, add);
   index.neighbours.each(high, add);
+  // The audit rebuilds the corners of blocks that move from these poses.
+  for (const KeptPose& pose : renewal.poses)
+    if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&
+        !has_corners_of_pose(blocks, pose.block))
+      return expire(p);
   renewal.next_check = 0.0;
   next_check[p] = bounds.most + growth_left(blocks, parts, index, p);
 }
@@ -166,11 +186,19 @@ double Decisions::growth_left(const Blocks& blocks, const BlockParts& parts,
   if (!renewals[p].empty()) {
     Renewal& renewal = renewals[p];
     const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
+    if (!(to_limits > 0.0))
+      return 0.0;
     if (!(bounds.most < renewal.next_check)) {
       const double left = limits[p].two - motion_since(blocks, renewal.poses);
       renewal.next_check = bounds.most + growth_until({left, left});
     }
-    return std::min(growth_until({to_limits, infinite}),
+    // Corners are rounded in each step. At a distance below that, every step checks.
+    const auto [low, high] = index.pairs[p];
+    const double rounding =
+        0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
+                   blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
+    return std::min(std::max(growth_until({to_limits - rounding, infinite}),
+                             std::numeric_limits<double>::min()),
                     renewal.next_check - bounds.most);
   }
   const bool neighbours = limits[p].neighbours < infinite;

@@ -20,8 +20,9 @@ struct PairMotion {
 
 /// When a decision of the exact rule has to be made again. Empty for other decisions.
 struct Renewal {
-  std::vector<KeptPose> poses;    ///< of the two blocks and their neighbours, then
-  std::vector<KeptDepth> depths;  ///< of the axes on which it depends
+  /// Of the two blocks and their neighbours when the decision was made.
+  std::vector<KeptPose> poses;
+  std::vector<KeptDepth> depths;  ///< depths on which it depends
   /// [L] The motion is certainly below its limit while MotionBounds::most is less than
   /// this.
   double next_check = 0.0;
