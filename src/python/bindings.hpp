@@ -1,11 +1,22 @@
 // The parts of the Python module `blocks._blocks`.
 #pragma once
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+
+#include "model/blocks.hpp"
 
 namespace blocks::python {
 
 namespace py = pybind11;
+
+/// Returns an answer for each block, (n,).
+inline py::array_t<bool> flags_of(const Blocks& blocks, bool (Blocks::*is)(int) const) {
+  py::array_t<bool> answers(blocks.size());
+  for (int b = 0; b < blocks.size(); ++b)
+    answers.mutable_data()[b] = (blocks.*is)(b);
+  return answers;
+}
 
 void bind_cards(py::module_& module);          ///< the table of cards
 void bind_displacements(py::module_& module);  ///< of blocks that have split

@@ -134,7 +134,7 @@ std::shared_ptr<Checked> check_deck(const std::string& deck,
                                     std::optional<std::uint64_t> seed,
                                     const std::vector<std::string>& sets) {
   run::RunOptions options = options_of(deck, std::move(text), seed, sets);
-  options.quiet = true;
+  options.quiet = options.driven = true;
   auto checked = std::make_shared<Checked>();
   const int code = with_messages(options, [&] {
     checked->deck = run::build_checked(options);
@@ -201,6 +201,13 @@ void bind_run(py::module_& module) {
   column("mass", &Blocks::mass, n);
   column("material", &Blocks::material, n);
   column("layer", &Blocks::layer, n);
+  const auto flags = [&](const char* name, bool (Blocks::*is)(int) const) {
+    checked.def_property_readonly(name, [is](const Checked& self) {
+      return flags_of(self.deck.model.blocks, is);
+    });
+  };
+  flags("is_free", &Blocks::is_free);
+  flags("is_removed", &Blocks::is_removed);
   checked
       .def_property_readonly("time_step",
                              [](const Checked& self) { return self.deck.time_step; })

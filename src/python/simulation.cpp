@@ -115,13 +115,8 @@ void bind_simulation(py::module_& module) {
   column("area", &Blocks::area, n);
   column("material", &Blocks::material, n);
   const auto flags = [&](const char* name, bool (Blocks::*is)(int) const) {
-    simulation.def_property_readonly(name, [is](DrivenModel& self) {
-      const Blocks& all = self.blocks();
-      py::array_t<bool> answers(all.size());
-      for (int b = 0; b < all.size(); ++b)
-        answers.mutable_data()[b] = (all.*is)(b);
-      return answers;
-    });
+    simulation.def_property_readonly(
+        name, [is](DrivenModel& self) { return flags_of(self.blocks(), is); });
   };
   flags("is_free", &Blocks::is_free);
   flags("is_removed", &Blocks::is_removed);

@@ -63,8 +63,9 @@ class Builder {
   /// Tests the rules of plausibility about the blocks before a motion. The blocks are
   /// taken where the deck puts them, so the run need not repeat this.
   void check_plausibility(const deck::Command& motion);
-  /// Tests the rules of plausibility about the whole deck, when all cards are read.
-  void check_deck(std::span<const deck::Command> cards);
+  /// Tests the rules of plausibility about the whole deck, when all cards are read. A
+  /// model that a program drives needs no MOTION.
+  void check_deck(std::span<const deck::Command> cards, bool driven);
 
   /// Replaces check_before_motion() before the first MOTION, CYCLE or SOLVE if another
   /// builder has checked the same cards. `certificate` is the certificate of that

@@ -68,10 +68,13 @@ class Plausibility {
   /// Adds the warnings of the rules of this moment. `at`: the card that has been
   /// reached.
   void test(Moment moment, const Plan& plan, const deck::Command& at);
+  /// Leaves a rule out from now on.
+  void leave_out(std::string_view rule) { told_.insert(rule); }
 
  private:
   deck::Diagnostics& diagnostics_;
-  std::set<std::string_view> told_;  ///< names of rules that warn once and have done so
+  /// Names of rules that warn once and have done so, or are left out.
+  std::set<std::string_view> told_;
 };
 
 }  // namespace blocks::run

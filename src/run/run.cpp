@@ -91,7 +91,7 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
   if (!job.diagnostics.has_errors())
-    builder.check_deck(job.deck.commands);
+    builder.check_deck(job.deck.commands, job.options.driven);
   notes = builder.take_notes();
   if (!has_moved)
     start = std::move(model);

@@ -43,6 +43,7 @@ struct RunOptions {
   int threads = 0;                  ///< 0 means as many as the machine has
   long audit_every = 0;             ///< steps between audits; 0 means none
   bool profile = false;             ///< print where the time went
+  bool driven = false;              ///< a program makes the steps: no MOTION is needed
   bool quiet = false;
   bool verbose = false;
   bool json = false;  ///< print the summary instead of the table

@@ -161,12 +161,12 @@ def test_ctrl_c_ends_a_run_at_a_checkpoint(tmp_path):
 
 
 def test_warnings_are_warnings(tmp_path):
-    deck = two_boxes()
-    with pytest.warns(blocks.DeckWarning, match="no MOTION"):
-        blocks.check(deck)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        blocks.check(deck.motion(1))
+        blocks.check(two_boxes().motion(1))
+        blocks.check(two_boxes())  # the program makes the steps
+    with pytest.warns(blocks.DeckWarning, match="friction coefficient 35"):
+        blocks.check(two_boxes().frictn(35))
 
 
 def test_unsound_runs_raise_and_keep_their_files(tmp_path):
@@ -265,3 +265,27 @@ def test_sweeps(tmp_path):
         blocks.sweep(deck, tmp_path / "none", seeds=range(0))
     with pytest.raises(blocks.FileError):
         blocks.Sweep(tmp_path)
+
+
+def test_assembly_as_geojson_is_that_of_export(decks, program, tmp_path):
+    stack = (decks / "stack" / "stack.deck").read_text()
+    (tmp_path / "stack.deck").write_text(stack)
+    (tmp_path / "removed.deck").write_text(stack.replace("MOTION", "REMOVE, 3\nMOTION"))
+    for deck in (tmp_path / "stack.deck", tmp_path / "removed.deck", decks / "slope" / "slope.deck"):
+        subprocess.run([program, "export", deck, "-o", tmp_path / "whole.geojson"], check=True)
+        whole = (tmp_path / "whole.geojson").read_text()
+        assembly = blocks.check(deck)
+        assert assembly.to_geojson() == whole
+        assembly.to_geojson(tmp_path / "own.geojson")
+        assert (tmp_path / "own.geojson").read_text() == whole
+    assert assembly.joint.any() and "joints" in whole
+    with pytest.raises(blocks.FileError):
+        assembly.to_geojson(tmp_path / "none" / "own.geojson")
+
+
+def test_removed_blocks_of_an_assembly_are_left_out():
+    deck = two_boxes()
+    all_blocks, rest = blocks.check(deck), blocks.check(deck.remove(2))
+    assert rest.is_removed.sum() == 1 and len(rest) == len(all_blocks)
+    cards = [one.to_deck(blocks.Deck()).text.count("CREATE") for one in (all_blocks, rest)]
+    assert cards == [len(rest), len(rest) - 1]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from . import _blocks
+from . import _blocks, exports
 from .deck import Deck
 from .dimensions import Units
 from .documented import add_properties
@@ -30,6 +31,8 @@ class Assembly:
         area: (n,) [L^2].
         mass: (n,) [M].
         material: (n,) number of the MATERIAL card.
+        is_free: (n,) False if fixed, driven, outside the domain or removed. A copy.
+        is_removed: (n,) True for blocks that REMOVE has taken out. A copy.
         layer: (n,) LAYER card that made the block, from 1; 0: none.
         certificate: dict with the result of the exact check of every pair of blocks: `holds`, the numbers
             of `overlaps`, `roundings`, `gaps`, `rounding_slits` and `t_junctions`, `largest_rounding` (a part
@@ -55,16 +58,39 @@ class Assembly:
 
     @property
     def polygons(self) -> list[np.ndarray]:
-        """The outline (k, 2) of each block, [L], clockwise: views of `corners`."""
+        """The outline (k, 2) of each block, [L], clockwise: views of `corners`. Removed blocks keep theirs."""
         return np.split(self.corners, self.first_corner[1:-1]) if len(self) else []
 
     def to_deck(self, deck: Deck, fixed: Iterable[int] = ()) -> Deck:
-        """Adds a CREATE card for each block to a deck; blocks in `fixed` cannot move. Returns the deck."""
+        """Adds a CREATE card for each block that is not removed to a deck. Returns the deck.
+
+        Args:
+            deck: the deck.
+            fixed: blocks that cannot move, from 0.
+        """
         held = set(fixed)
-        for b, outline in enumerate(self.polygons):
-            lines = [outline[:, 0], outline[:, 1]]
-            deck.create(len(outline), int(self.material[b]), int(b in held), lines=lines)
+        material, polygons = self.material.tolist(), self.polygons
+        for b in np.flatnonzero(~self.is_removed):
+            outline = polygons[b]
+            deck.create(len(outline), material[b], int(b in held), lines=[outline[:, 0], outline[:, 1]])
         return deck
+
+    def to_geojson(self, path: str | os.PathLike | None = None) -> str | None:
+        """Writes the blocks as `blocks export` does for a deck, a GeoJSON feature for each.
+
+        Blocks have the numbers of the cards, from 1. Removed blocks are left out.
+
+        Args:
+            path: of the file; None: return the text.
+
+        Raises:
+            FileError: if the file cannot be written, or the path is a link.
+        """
+        text = exports.geojson_of_assembly(self)
+        if path is None:
+            return text
+        _blocks._replace_file(os.fspath(path), text)
+        return None
 
     def plot(self, ax=None, **options: Any):
         """Draws the blocks on Matplotlib axes; see `blocks.plotting.plot`."""
@@ -90,7 +116,8 @@ def check(deck: DeckLike, *, seed: int | None = None, set: Mapping[str, Any] | N
         set: fields of cards to replace, as `{"FRICTN.fric": 0.4}`.
 
     Returns:
-        The blocks before the first motion, with their certificate.
+        The blocks before the first motion, with their certificate. A deck without MOTION, CYCLE and SOLVE is
+        one that a program drives, so there is no warning about that.
 
     Raises:
         DeckError: if there are errors. Warnings become `DeckWarning`.

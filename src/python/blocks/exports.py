@@ -11,9 +11,10 @@ import numpy as np
 from . import _blocks
 
 if TYPE_CHECKING:
+    from .assembly import Assembly
     from .frames import Frame
 
-__all__ = ["geojson_text", "pyvista_mesh"]
+__all__ = ["geojson_of_assembly", "geojson_text", "pyvista_mesh"]
 
 _QUANTITIES = ("speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2")
 
@@ -30,18 +31,28 @@ def geojson_text(frame: Frame) -> str:
         columns["parent"] = frame["Parent"].tolist()
     for name in _QUANTITIES:
         columns[name] = frame.quantity(name).tolist()
-    number, material, is_free = frame.number.tolist(), frame.material.tolist(), frame.is_free.tolist()
-    area = _blocks._areas(frame.corners, frame.first_corner).tolist()
-    with_joints = bool(frame.joint.any())
-    features = []
-    for b in np.flatnonzero(~frame.is_removed):
-        outline = frame.polygons[b].tolist()
-        facts = f'"number": {number[b]}, "material": {material[b]}'
-        if name := frame.materials.get(material[b], ""):
+    return _geojson(frame, columns, f'"time": {_digits(frame.time)},\n')
+
+
+def geojson_of_assembly(assembly: Assembly) -> str:
+    """Returns the GeoJSON text that `blocks export` writes for a deck. Blocks are counted from 1."""
+    return _geojson(assembly, {}, "")
+
+
+def _geojson(state: Frame | Assembly, columns: dict[str, Any], head: str) -> str:
+    """Returns the features of all blocks that are not removed, with further columns of properties."""
+    material, is_free = state.material.tolist(), state.is_free.tolist()
+    area = _blocks._areas(state.corners, state.first_corner).tolist()
+    with_joints = bool(state.joint.any())
+    polygons, features = state.polygons, []
+    for b in np.flatnonzero(~state.is_removed):
+        outline = polygons[b].tolist()
+        facts = f'"number": {b + 1}, "material": {material[b]}'
+        if name := state.materials.get(material[b], ""):
             facts += f', "material_name": {json.dumps(name, ensure_ascii=False)}'
         facts += f', "fixed": {"false" if is_free[b] else "true"}, "area": {_digits(area[b])}'
         if with_joints:
-            joint = frame.joint[frame.first_corner[b] : frame.first_corner[b + 1]]
+            joint = state.joint[state.first_corner[b] : state.first_corner[b + 1]]
             facts += f', "joints": [{", ".join(map(str, reversed(joint.tolist())))}]'
         for name, values in columns.items():
             facts += f', "{name}": {_digits(values[b])}'
@@ -50,8 +61,7 @@ def geojson_text(frame: Frame) -> str:
             f'{{"type": "Feature", "properties": {{{facts}}}, '
             f'"geometry": {{"type": "Polygon", "coordinates": [[{ring}]]}}}}'
         )
-    head = f'{{"type": "FeatureCollection",\n"time": {_digits(frame.time)},\n"features": [\n'
-    return head + ",\n".join(features) + "\n]}\n"
+    return f'{{"type": "FeatureCollection",\n{head}"features": [\n' + ",\n".join(features) + "\n]}\n"
 
 
 def pyvista_mesh(frame: Frame) -> Any:
