@@ -65,7 +65,7 @@ def press(wanted):
 def press_by_card(wanted):
     """Returns the wall after a SERVO card has pressed it. Side 4 is the lower one of the plate."""
     rock = wall(is_fixed=True)
-    rock.cards(blocks.Deck().servo(PLATE + 1, 4, -wanted / WIDTH, FASTEST))
+    rock.cards.servo(PLATE + 1, 4, -wanted / WIDTH, FASTEST)
     rock.run_until(END)
     return rock
 

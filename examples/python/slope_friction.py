@@ -49,7 +49,7 @@ def sliding(friction):
 def displacement(angle):
     """Returns the mean displacement of the rock of decks/slope after 0.8 s with a friction angle [degrees]."""
     rock = blocks.Simulation(DECKS / "slope/slope.deck", moves=False)
-    rock.cards(blocks.Deck().frictn(math.tan(math.radians(angle))))
+    rock.cards.frictn(math.tan(math.radians(angle)))
     free, before = rock.is_free, rock.centroid.copy()
     rock.run_until(0.8)
     moved = np.linalg.norm(rock.centroid - before, axis=1)

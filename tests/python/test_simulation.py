@@ -381,6 +381,35 @@ def test_other_threads_run_meanwhile(fall):
     assert count[0] > 100
 
 
+def test_laws_of_joints_by_name_are_those_of_cards(fall):
+    text, named = blocks.Simulation(fall), blocks.Simulation(fall)
+    text.cards("JOINT, 4, 0.7, 2E5, , , , , , , 1E9\nJPAIR, 1, 1, 4\nGRAVITY, 1, -9.81")
+    assert named.cards.joint(4, fric=0.7, coh=2e5, kn=1e9).jpair(1, 1, id=4).gravity(1, -9.81) is not None
+    for sim in (text, named):
+        sim.step(3000)
+    assert (named.corners == text.corners).all() and (named.contacts == text.contacts).all()
+    assert set(named.contacts["law"].tolist()) == {4} and (named.contacts["length"] > 0).any()
+    with pytest.raises(blocks.DeckError, match="no JOINT card above has the id 5"):
+        named.cards.bond(5)
+    with pytest.raises(TypeError, match="frc"):
+        named.cards.joint(4, frc=0.7)
+
+
+def test_cards_by_name_bond_and_free(decks):
+    sim = blocks.Simulation(decks / "stack" / "stack.deck", moves=False)
+    assert sim.is_free.sum() == 12
+    sim.cards.joint(1, fric=0.7, coh=1e5, ten=1e4).jpair(1, 1, 1).bond(1).fix(13)
+    sim.step(100)
+    assert sim.is_free.sum() == 11 and sim.contacts["bonded"].any()
+
+
+def test_every_card_of_a_simulation_can_be_given_alone():
+    names = {card["name"].lower() for card in blocks.card_table() if hasattr(blocks.SimulationCards, card["name"].lower())}
+    assert {"joint", "walton", "barton", "jpair", "bond", "frictn", "damping", "force", "motion"} <= names
+    assert not names & {"stiff", "end", "outline", "cut", "cloop", "plots", "stop"}
+    assert "frictn" in repr(blocks.SimulationCards(print))
+
+
 @pytest.mark.parametrize("endless", ["sim.step(10**12)", "sim.cards('MOTION, 1E9')", "sim.run_until(1e9)"])
 def test_ctrl_c_stops_after_a_step(fall, tmp_path, endless):
     script = tmp_path / "endless.py"

@@ -25,14 +25,15 @@ from .errors import BlocksError, DeckError, DeckWarning, FileError, NotReadError
 from .results import Frame, History, Results, read
 from .running import Run, run
 from .simulation import Simulation, Solution
+from .simulation_cards import SimulationCards
 from .studies import study, study_scenes, study_variants
 from .sweeps import Sweep, sweep
 
 __all__ = [
     "Assembly", "BlocksError", "Deck", "DeckError", "DeckWarning", "Diagnostic", "FileError", "Frame",
-    "History", "NotReadError", "Results", "Run", "RunWarning", "Simulation", "Solution", "Sweep", "UnsoundRun",
-    "__version__", "card_table", "check", "joints", "layers", "predicates", "read", "run", "study", "study_scenes",
-    "study_variants", "sweep",
+    "History", "NotReadError", "Results", "Run", "RunWarning", "Simulation", "SimulationCards", "Solution",
+    "Sweep", "UnsoundRun", "__version__", "card_table", "check", "joints", "layers", "predicates", "read", "run",
+    "study", "study_scenes", "study_variants", "sweep",
 ]
 
 

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _blocks
-from .deck import Deck
 from .dimensions import Units
 from .documented import attributes_of
 from .inputs import DeckLike, name_and_text, whole
 from .notebooks import html_of
+from .simulation_cards import SimulationCards
 
 __all__ = ["Simulation", "Solution"]
 
@@ -143,7 +143,7 @@ class Simulation(_blocks.Simulation):
             DeckError: if the ratio or the number is not possible, or there are no blocks.
             UnsoundRun: if a step made the state unusable.
         """
-        self.cards(Deck().solve(float(ratio), whole(nmax, "nmax", 1)))
+        self.cards.solve(float(ratio), whole(nmax, "nmax", 1))
         return self.solutions[-1]
 
     @property
@@ -151,14 +151,13 @@ class Simulation(_blocks.Simulation):
         """How each SOLVE so far has ended, those of cards included."""
         return [Solution(*solve) for solve in self._solves]
 
-    def cards(self, text: DeckLike) -> None:
-        """Executes further problem cards, one a line, as text or as a `Deck`.
+    @property
+    def cards(self) -> SimulationCards:
+        """Executes further problem cards: `sim.cards("FRICTN, 0.4")`, or by name `sim.cards.frictn(0.4)`."""
+        return SimulationCards(self._execute)
 
-        Raises:
-            DeckError: if they contain errors. The model is then unchanged, unless a MOTION, CYCLE or SOLVE
-                among them has advanced the time.
-        """
-        super().cards(text if isinstance(text, str) else name_and_text(text)[1])
+    def _execute(self, text: str) -> None:
+        super().cards(text)
         self._note_new_blocks()
 
     def _note_new_blocks(self) -> None:
