@@ -11,6 +11,7 @@ namespace {
 /// The words for the values of options that have the same meaning in every command.
 const std::map<std::string, std::string> value_words = {
     {"against", "QUANTITY"},
+    {"arrow-scale", "VALUE"},
     {"arrows", "QUANTITY"},
     {"block", "N"},
     {"checkpoint-every", "SECONDS"},

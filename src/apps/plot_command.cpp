@@ -21,6 +21,7 @@
 #include "post/material_list.hpp"
 #include "post/movie.hpp"
 #include "post/quantity.hpp"
+#include "quantities/statistic.hpp"
 #include "quoted_list.hpp"
 #include "run/run.hpp"
 
@@ -156,6 +157,8 @@ void check_combinations(const PlotOptions& options) {
       !options.range.empty() && by_material,
       "--range is for --colour QUANTITY; materials, families, joints and bonds have no "
       "range");
+  refuse(options.figure.arrow_scale && options.figure.arrows.empty(),
+         "--arrow-scale is for --arrows");
   const post::QuantityKind* kind = quantities::find_quantity(options.figure.colour);
   refuse(options.compression_positive &&
              (!kind || post::sign_convention(*kind, true).empty()),
@@ -201,11 +204,28 @@ std::map<int, post::Colour> material_colours(const std::vector<std::string>& tex
   return chosen;
 }
 
+/// Reads "0.01" or "p90". Throws std::runtime_error for anything else.
+post::ArrowScale arrow_scale(const std::string& text) {
+  post::ArrowScale scale;
+  quantities::Statistic statistic;
+  if (CLI::detail::lexical_cast(text, scale.value) && scale.value > 0.0 &&
+      std::isfinite(scale.value))
+    return scale;
+  if (!quantities::Statistic::parse(text, statistic) ||
+      statistic.how != quantities::Statistic::How::percentile)
+    throw std::runtime_error(
+        "--arrow-scale needs a value above 0, or a percentile such as p90, found '" +
+        text + "'");
+  return {0.0, statistic.percent};
+}
+
 void take(const PlotOptions& options, post::FigureOptions& figure) {
   if (!options.zoom.empty())
     figure.zoom = Eigen::Vector4d(options.zoom.data());
   if (!options.range.empty())
     figure.range = Eigen::Vector2d(options.range.data());
+  if (!options.arrow_scale.empty())
+    figure.arrow_scale = arrow_scale(options.arrow_scale);
   if (options.mirror) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
@@ -290,6 +310,11 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                   fmt::format("draw an arrow on each block: {}",
                               fmt::join(post::arrow_names(), ", ")))
       ->check(CLI::IsMember(post::arrow_names()));
+  command.add_option(
+      "--arrow-scale", options.arrow_scale,
+      "the value whose arrow has the full length, such as 0.01, or a percentile of the "
+      "values other than 0, such as p90; longer arrows are drawn at full length "
+      "(default: the largest value)");
   command.add_flag("--compression-positive", options.compression_positive,
                    "stresses are positive in compression (default: in tension)");
   command.add_option("--title", options.figure.title,

@@ -25,10 +25,11 @@ struct PlotOptions {
   std::string units;                   ///< "m,kg,s"
   std::vector<std::string> materials;  ///< "1=RED", "2=#8fa88b"
   bool compression_positive = false;
-  double width = 1200;  ///< in pixels or points
-  std::string size;     ///< in print, "85mm"; empty: width
-  std::string dblock;   ///< file of DBLOCK cards; empty: none
-  bool joints = false;  ///< draw a rose and histograms instead of the blocks
+  double width = 1200;      ///< in pixels or points
+  std::string arrow_scale;  ///< "0.01", "p90"; empty: the largest value
+  std::string size;         ///< in print, "85mm"; empty: width
+  std::string dblock;       ///< file of DBLOCK cards; empty: none
+  bool joints = false;      ///< draw a rose and histograms instead of the blocks
   post::FigureOptions figure;
   const CLI::App* command = nullptr;  ///< tells which options are given
 };

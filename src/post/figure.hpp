@@ -15,6 +15,13 @@
 
 namespace blocks::post {
 
+/// The value of arrows that have the full length. Longer arrows are drawn at this
+/// length.
+struct ArrowScale {
+  double value = 0.0;      ///< 0: the percentile
+  double percent = 100.0;  ///< of the values of a picture that are not 0
+};
+
 struct FigureOptions {
   PageSize page;
   /// "material", "family" (pieces by the block from which they come), "joint" (the
@@ -27,10 +34,12 @@ struct FigureOptions {
   std::optional<Eigen::Vector4d> zoom;  ///< xmin, xmax, ymin, ymax [L]
   bool numbers = false;                 ///< block numbers
   bool corners = false;                 ///< corner numbers
-  bool original = false;       ///< draw the outlines of the first frame underneath
-  bool forces = false;         ///< draw the network of contact forces
-  bool cracks = true;          ///< draw the faces of cracks, if there are any
-  std::string arrows;          ///< velocity, displacement or force; empty: none
+  bool original = false;  ///< draw the outlines of the first frame underneath
+  bool forces = false;    ///< draw the network of contact forces
+  bool cracks = true;     ///< draw the faces of cracks, if there are any
+  std::string arrows;     ///< velocity, displacement or force; empty: none
+  /// None: the largest value has the full length, and no arrow is shortened.
+  std::optional<ArrowScale> arrow_scale;
   bool mirror = false;         ///< also draw the other half, mirrored about mirror_x
   double mirror_x = 0.0;       ///< [L]
   int columns = 0;             ///< of a sheet of several times; 0: automatic

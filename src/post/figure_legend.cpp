@@ -219,17 +219,17 @@ class Legend {
     if (scales_.arrow > 0.0)
       draw_arrow(pen_, place_.x, y_ + 7, place_.arrow, 0);
     const std::string unit = unit_text(dimensions.at(options_.arrows), options_.units);
+    const std::string value = fmt::format(
+        "{}{:.3g} {}", scales_.cuts_arrows ? "≥ " : "", scales_.arrow, unit);
     if (place_.below) {
-      pen_.text(fmt::format("{} {:.3g} {}", options_.arrows, scales_.arrow, unit),
-                place_.x + place_.arrow + 10, y_ + 7, 14, ink, 0, 0.5,
-                room() - place_.arrow - 10);
+      pen_.text(options_.arrows + " " + value, place_.x + place_.arrow + 10, y_ + 7, 14,
+                ink, 0, 0.5, room() - place_.arrow - 10);
       y_ += arrow_line;
       return;
     }
     y_ += line - 6;
     pen_.text(options_.arrows, place_.x, y_ + 6, 13, ink, 0, 0.5, room());
-    pen_.text(fmt::format("{:.3g} {}", scales_.arrow, unit), place_.x, y_ + 22, 13, ink,
-              0, 0.5, room());
+    pen_.text(value, place_.x, y_ + 22, 13, ink, 0, 0.5, room());
     y_ += 42;
   }
 

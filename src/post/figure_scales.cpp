@@ -12,6 +12,7 @@
 #include "post/joint_faces.hpp"
 #include "post/joint_style.hpp"
 #include "post/quantity.hpp"
+#include "quantities/statistic.hpp"
 
 namespace blocks::post {
 namespace {
@@ -97,16 +98,27 @@ void ScaleSurvey::include(const Picture& picture) {
     forces_.push_back(links.empty() ? 0.0 : links.back().force.norm());
   }
   if (!options_.arrows.empty()) {
-    double longest = 0.0;
     const Eigen::Matrix2Xd vectors = arrow_vectors(options_.arrows, picture);
+    std::vector<double> lengths;
     for (int b = 0; b < now.size(); ++b)
-      if (!now.is_removed(b))
-        longest = std::max(longest, vectors.col(b).norm());
-    arrows_.push_back(longest);
+      if (const double length = vectors.col(b).norm();
+          length > 0.0 && !now.is_removed(b))
+        lengths.push_back(length);
+    include_arrows(lengths);
   }
   if (picture.now.area.size() > 0)
     block_size_ = std::sqrt(usual(
         {picture.now.area.data(), picture.now.area.data() + picture.now.area.size()}));
+}
+
+void ScaleSurvey::include_arrows(std::vector<double> lengths) {
+  if (lengths.empty())
+    return;
+  longest_arrow_ =
+      std::max(longest_arrow_, *std::max_element(lengths.begin(), lengths.end()));
+  const double percent = options_.arrow_scale.value_or(ArrowScale()).percent;
+  arrows_.push_back(
+      quantities::reduce({quantities::Statistic::How::percentile, percent}, lengths));
 }
 
 ValueRange ScaleSurvey::colours() const {
@@ -173,7 +185,9 @@ FigureScales ScaleSurvey::scales() const {
   }
   result.is_zero = least_ == 0.0 && most_ == 0.0 && !options_.range;
   result.force = usual(forces_);
-  result.arrow = usual(arrows_);
+  const bool is_given = options_.arrow_scale && options_.arrow_scale->value > 0.0;
+  result.arrow = is_given ? options_.arrow_scale->value : usual(arrows_);
+  result.cuts_arrows = options_.arrow_scale && longest_arrow_ > result.arrow;
   result.block_size = block_size_;
   result.materials = materials_;
   result.joints = joints_;

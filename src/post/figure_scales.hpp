@@ -34,9 +34,11 @@ struct FigureScales {
   bool is_zero = false;  ///< the quantity is 0 in all blocks and pictures
   double force =
       0.0;  ///< [F] drawn at full width: the median of the largest of each picture
-  double arrow =
-      0.0;  ///< drawn at full length: the median of the largest of each picture
-  double block_size = 1.0;  ///< [L] root of the median area
+  /// Drawn at full length: the median of the largest of each picture, or what the
+  /// options say
+  double arrow = 0.0;
+  bool cuts_arrows = false;  ///< longer arrows are drawn at full length
+  double block_size = 1.0;   ///< [L] root of the median area
   std::set<int> materials;
   std::set<int> joints;              ///< ids other than 0, if the figure shows joints
   std::set<quantities::Bond> bonds;  ///< of the contacts, if the figure shows bonds
@@ -56,14 +58,18 @@ class ScaleSurvey {
 
  private:
   void include_corners(const Frame& frame);
+  /// Includes the lengths of one picture that are not 0.
+  void include_arrows(std::vector<double> lengths);
   ValueRange colours() const;
 
   const FigureOptions& options_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Constant(1e300), high_ = -low_;
   double least_ = 1e300, most_ = -1e300;
   bool logarithmic_ = false;
-  bool centred_ = false;                 ///< the colours are centred on 0
-  std::vector<double> forces_, arrows_;  ///< the largest of each picture
+  bool centred_ = false;        ///< the colours are centred on 0
+  std::vector<double> forces_;  ///< the largest of each picture
+  std::vector<double> arrows_;  ///< the largest or the percentile of each picture
+  double longest_arrow_ = 0.0;
   double block_size_ = 1.0;
   std::set<int> materials_, joints_, block_counts_;
   std::set<quantities::Bond> bonds_;

@@ -170,9 +170,11 @@ class SceneDrawing {
     if (!(scales_.arrow > 0.0))
       return;
     const Eigen::Matrix2Xd vectors = arrow_vectors(options_.arrows, picture_);
-    const double factor = arrow_length(axes_, scales_) / scales_.arrow;
+    const double full = arrow_length(axes_, scales_), factor = full / scales_.arrow;
     for (int b = 0; b < now_.size(); ++b) {
-      const Eigen::Vector2d d = factor * vectors.col(b);
+      Eigen::Vector2d d = factor * vectors.col(b);
+      if (scales_.cuts_arrows && d.norm() > full)
+        d *= full / d.norm();
       if (d.norm() >= 1.5)
         draw_arrow(pen_, page_x(now_.centroid(0, b)), axes_.y(now_.centroid(1, b)),
                    mirrored_ ? -d.x() : d.x(), -d.y());

@@ -182,6 +182,32 @@ TEST(Figure, AQuantityThatIsZeroEverywhereHasNoBar) {
   }
 }
 
+// The arrow of one loose block must not hide those of all others.
+TEST(Figure, TakesAScaleOfArrowsFromTheOptions) {
+  Frame frame = two_squares();
+  FigureOptions options;
+  options.arrows = "velocity";
+  frame.fixed = {0, 0};
+  frame.velocity << 0.01, 5, 0, 0;
+  const auto scales = [&](std::optional<ArrowScale> scale) {
+    options.arrow_scale = scale;
+    ScaleSurvey survey(options);
+    const FrameContacts none;
+    survey.include({frame, frame, none});
+    return survey.scales();
+  };
+  EXPECT_EQ(scales({}).arrow, 5.0);
+  EXPECT_FALSE(scales({}).cuts_arrows);
+  EXPECT_EQ(scales(ArrowScale{6.0}).arrow, 6.0);
+  EXPECT_FALSE(scales(ArrowScale{6.0}).cuts_arrows);
+  EXPECT_EQ(scales(ArrowScale{0.0, 0.0}).arrow, 0.01);
+  EXPECT_EQ(scales(ArrowScale{0.02}).arrow, 0.02);
+  EXPECT_TRUE(scales(ArrowScale{0.02}).cuts_arrows);
+  const Folder folder;
+  draw_frame(folder.file("a.svg"), frame, frame, "two squares", options);
+  EXPECT_THAT(content(folder.file("a.svg")), HasSubstr("≥ 0.02 "));
+}
+
 TEST(Figure, SaysWhichEndsOfTheRangeCutValues) {
   Frame frame = two_squares();
   FigureOptions options;

@@ -161,6 +161,9 @@ TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
                  "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
   expect_refusal("--colour speed --colormap jet", "viridis, cividis, grey");
   expect_refusal("--size 85", "--size needs a width such as 85mm");
+  for (const char* scale : {"0", "-1", "p101", "max", "1m", "inf", "nan"})
+    expect_refusal(std::string("--arrows velocity --arrow-scale=") + scale,
+                   "--arrow-scale needs a value above 0, or a percentile such as p90");
   expect_refusal("--size 85mm -o hit.mp4", "--width");
   expect_refusal("--colour speed --range 1,1", "low < high");
   expect_refusal("--materials 7=RED",
@@ -172,7 +175,7 @@ TEST_F(PlotCommand, RefusesOptionsWithoutEffect) {
   for (const char* options :
        {"--rate 10", "--every 2", "--columns 3", "--range 0,1", "--colormap grey",
         "--from 0", "--mirror nan", "--colour speed --materials 1=RED",
-        "--compression-positive", "--sheet 3 -o hit.mp4"}) {
+        "--compression-positive", "--arrow-scale 1", "--sheet 3 -o hit.mp4"}) {
     const Outcome run = plot(options);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_THAT(run.err, HasSubstr("blocks: error: --")) << options;
