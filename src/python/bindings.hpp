@@ -20,6 +20,7 @@ inline py::array_t<bool> flags_of(const Blocks& blocks, bool (Blocks::*is)(int) 
 
 void bind_cards(py::module_& module);          ///< the table of cards
 void bind_displacements(py::module_& module);  ///< of blocks that have split
+void bind_drawing(py::module_& module);        ///< colours and faces of figures
 void bind_predicates(py::module_& module);     ///< exact predicates on arrays
 void bind_run(py::module_& module);            ///< run and check a deck
 void bind_simulation(py::module_& module);     ///< a model, step by step

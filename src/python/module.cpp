@@ -12,6 +12,7 @@ PYBIND11_MODULE(_blocks, module) {
   blocks::python::bind_errors(module);
   blocks::python::bind_cards(module);
   blocks::python::bind_displacements(module);
+  blocks::python::bind_drawing(module);
   blocks::python::bind_run(module);
   blocks::python::bind_simulation(module);
   blocks::python::bind_predicates(module);

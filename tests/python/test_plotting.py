@@ -17,11 +17,11 @@ from matplotlib.collections import LineCollection, PolyCollection
 
 import blocks
 from blocks import colours, plotting
+from blocks.colours import joint_colour
 from blocks.figures import math_text
 from blocks.force_lines import links_of
 from blocks.notebooks import html_of
 from blocks.results import read
-from blocks.sides import joint_colour
 
 PROGRAM = os.environ["BLOCKS_PROGRAM"]
 DECKS = Path(__file__).parents[2] / "decks"
@@ -112,10 +112,7 @@ def test_time(opened):
 
 def test_materials_have_the_colours_of_the_program(opened, folder):
     run("plot", folder / "every.vtkhdf", "-o", folder / "every.svg")
-    svg = (folder / "every.svg").read_text()
-    fills = {colors.to_hex([float(x) / 100 for x in m]) for m in re.findall(
-        r"rgb\(([\d.]+)%, ?([\d.]+)%, ?([\d.]+)%\)", svg)}
-    fills |= set(re.findall(r"#[0-9a-f]{6}", svg))
+    fills = colours_in(folder / "every.svg")
     frame = opened["every"][-1]
     drawn = frame.plot().blocks.get_facecolor()
     for material in (1, 2):
@@ -546,6 +543,39 @@ def test_sides_have_the_colours_of_joints_and_bonds(folder):
     assert middles and bonds.sides in list(bonds)
     low, high = frame.corners.min(axis=0), frame.corners.max(axis=0)
     assert all((low <= middle).all() and (middle <= high).all() for middle in middles)
+
+
+def colours_in(svg):
+    """Returns the colours of a picture of the program."""
+    text = svg.read_text()
+    parts = re.findall(r"rgb\(([\d.]+)%, ?([\d.]+)%, ?([\d.]+)%\)", text)
+    return {colors.to_hex([float(x) / 100 for x in one]) for one in parts} | set(re.findall(r"#[0-9a-f]{6}", text))
+
+
+@pytest.mark.parametrize("colour, deck, until", [("joint", "cohesive_slope", ".05"), ("bond", "direct_shear", ".3")])
+def test_colours_of_sides_are_those_of_the_program(folder, colour, deck, until):
+    run("run", DECKS / deck / f"{deck}.deck", "-o", folder / colour, "--until", until, "-q")
+    run("plot", folder / f"{colour}.vtkhdf", "--colour", colour, "-o", folder / f"{colour}.svg")
+    frame = read(folder / f"{colour}.vtkhdf")[-1]
+    drawing = frame.plot(colour=colour, legend=True)
+    drawn = {colors.to_hex(one) for one in drawing.sides.get_colors()[len(frame.corners):]}
+    assert drawn and drawn <= colours_in(folder / f"{colour}.svg")
+    if colour == "bond":
+        failed = frame.contacts["failed"][frame.contacts["law"] != 0]
+        labels = {text.get_text() for text in drawing.legend.get_texts()}
+        assert ("failed" in labels) == bool(failed.any())
+
+
+def test_faces_of_broken_contacts_are_left_out(folder):
+    """Contacts of planes, and of blocks and corners that are not there, have no face."""
+    corners = np.array([(0, 0), (0, 1), (1, 1), (1, 0), (0, 1), (0, 2), (1, 2), (1, 1)], float)
+    kinds = [("corner_block", "i4"), ("corner", "i4"), ("edge_block", "i4"), ("edge", "i4"), ("law", "i4"),
+             ("bonded", "i4"), ("failed", "i4"), ("slip", "f8")]
+    rows = [(1, 4, 0, 1, 3, 1, 0, 0.0), (1, 7, 0, 1, 3, 1, 1, -0.5), (1, 4, 0, 1, 0, 0, 0, 0.0),
+            (1, 4, -1, 0, 3, 0, 0, 0.0), (7, 4, 0, 1, 3, 0, 0, 0.0), (1, 99, 0, 1, 3, 0, 0, 0.0)]
+    parts, bonds, slips = blocks._blocks._face_parts(corners, [0, 4, 8], np.array(rows, kinds))
+    assert bonds == ["bonded", "weakened"] and slips.tolist() == [0.0, 0.5]
+    assert parts.tolist() == [[[0, 1], [0.5, 1]], [[1, 1], [0.5, 1]]]
 
 
 def test_sides_without_joints_or_laws_are_refused(opened):

@@ -1,4 +1,4 @@
-"""Colours of materials, outlines and contact forces, those of `blocks plot`."""
+"""Colours of materials, joints, outlines and contact forces, those of `blocks plot`."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import numpy as np
 from matplotlib import colors
 from numpy.typing import NDArray
 
-__all__ = ["FORCES", "INK", "MAPS", "WHOLE", "is_dark", "luminance", "material_colour", "mix", "outlines_on"]
+from . import _blocks
+
+__all__ = [
+    "FORCES", "INK", "MAPS", "WHOLE", "is_dark", "joint_colour", "luminance", "material_colour", "mix", "outlines_on",
+]
 
 INK = (0.16, 0.16, 0.18)
 WHOLE = "#e4e4e4"  # blocks without a colour of their own, and fixed ones
 MAPS = {"lowest": "YlGnBu", "middle": "RdBu_r", "none": "viridis"}  # by the meaning of zero
-FORCES = colors.LinearSegmentedColormap.from_list(
-    "forces", ["#fec488", "#fc8961", "#e75263", "#b73779", "#832681", "#51127c", "#1d1147"]
-)
-_MATERIALS = ("#c9b79c", "#6b7f8f", "#b5886b", "#8fa88b", "#d8c27a", "#8a7a99", "#a9c1cf", "#7d6b5d")
-_SHADES = (("white", 0.0), ("white", 0.5), ("black", 0.35), ("white", 0.75), ("black", 0.6))
+FORCES = colors.ListedColormap([_blocks._force_colour(i / 255) for i in range(256)], "forces")
 
 _Colours = NDArray[np.float64]
 
@@ -30,9 +30,12 @@ def mix(a: Any, b: Any, share: float) -> _Colours:
 
 def material_colour(material: int) -> str:
     """Returns the colour "#c9b79c" of a material, by the number of its card."""
-    index = (material - 1) % (len(_MATERIALS) * len(_SHADES))
-    shade, share = _SHADES[index // len(_MATERIALS)]
-    return colors.to_hex(mix(shade, _MATERIALS[index % len(_MATERIALS)], share)[0])
+    return colors.to_hex(_blocks._material_colour(material))
+
+
+def joint_colour(joint: int) -> str:
+    """Returns the colour "#004587" of a joint id from 1."""
+    return colors.to_hex(_blocks._joint_colour(joint))
 
 
 def luminance(colour: _Colours) -> _Colours:
