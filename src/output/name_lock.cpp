@@ -65,9 +65,10 @@ NameLock::NameLock(const std::string& name, const std::string& meant)
         !(content.empty() || content.starts_with(head)))
       refuse(meant, path_ + " is not a lock of BLOCKS; rename it");
     if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      refuse(meant, fmt::format("another run is writing it{}; use -o NAME for other "
-                                "files",
-                                owner_in(content_of(file_.get()))));
+      refuse(meant,
+             fmt::format("another program is writing it{}; use -o NAME for other "
+                         "files",
+                         owner_in(content_of(file_.get()))));
   } while (!is_still_named(file_.get(), path_));
   // The text only informs, so failures are ignored.
   const std::string text = fmt::format("{}{}\n", head, this_process());

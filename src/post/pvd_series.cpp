@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "output/name_lock.hpp"
 #include "output/results.hpp"
 #include "post/crack_tracker.hpp"
 #include "post/quantity.hpp"
@@ -159,6 +160,7 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames) {
   const std::string name = fs::path(path).replace_extension().string();
   const fs::path folder = name + "_vtu";
+  const output::NameLock lock(folder.string(), path);
   make_room(folder);
   std::error_code fault;
   if (!fs::create_directory(folder, fault))

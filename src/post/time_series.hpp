@@ -19,7 +19,7 @@ struct SeriesFiles {
 /// NAME.pvd has the blocks as polygons, with the quantities of the results file as cell
 /// data. NAME_contacts.pvd has the contacts as points with place, normal, force and
 /// overlap. An older folder is kept as NAME_vtu.bak. One frame is in memory at a time.
-/// Throws output::FileError.
+/// Throws output::FileError, also if another program is writing the series.
 SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames);
 

@@ -71,7 +71,7 @@ TEST(TwoAtOnce, RunsOfOneNameExcludeEachOther) {
         ++refused;
         EXPECT_EQ(run.code, 5) << run.err;
         EXPECT_THAT(run.err, HasSubstr("blocks: error: cannot write a.vtkhdf: another "
-                                       "run is writing it"));
+                                       "program is writing it"));
         EXPECT_THAT(run.err, HasSubstr("; use -o NAME for other files"));
       }
     EXPECT_TRUE(one.code == 0 || other.code == 0) << one.err << other.err;
@@ -146,6 +146,41 @@ TEST(TwoAtOnce, OtherFilesAreCompleteAfterwards) {
   }
   expect_tidy(folder);
   RecordProperty("pairs", std::to_string(pairs));
+}
+
+// These write many files into one folder, so one of them is refused.
+TEST(TwoAtOnce, ExportsOfASeriesExcludeEachOther) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  ASSERT_EQ(blocks("run a.deck -q", folder.path()).code, 0);
+  const std::string first = "export a.vtkhdf -o x.pvd -t 0",
+                    all = "export a.vtkhdf -o x.pvd";
+  ASSERT_EQ(blocks(first, folder.path()).code, 0);
+  const auto of_first = files_like(folder, "x");
+  for (const auto& [path, content] : of_first)
+    fs::remove(folder / path);
+  fs::remove(folder / "x_vtu");
+  ASSERT_EQ(blocks(all, folder.path()).code, 0);
+  const auto of_all = files_like(folder, "x");
+  int refused = 0;
+  for (int i = 0; i < times(8); ++i) {
+    const auto [one, other] = at_once(all, i % 2 == 0 ? all : first, folder);
+    EXPECT_TRUE(one.code == 0 || other.code == 0) << one.err << other.err;
+    for (const Outcome& series : {one, other})
+      if (series.code != 0) {
+        ++refused;
+        EXPECT_EQ(series.code, 5) << series.err;
+        EXPECT_THAT(series.err, HasSubstr("blocks: error: cannot write x.pvd: another "
+                                          "program is writing it"));
+      }
+    auto left = files_like(folder, "x");
+    std::erase_if(left, [](const auto& file) {
+      return file.first.find(".bak") != std::string::npos;
+    });
+    EXPECT_TRUE(left == of_all || left == of_first) << i;
+  }
+  expect_tidy(folder);
+  RecordProperty("refused", std::to_string(refused));
 }
 
 // Which of the two files remains is not determined, but it is one of them.

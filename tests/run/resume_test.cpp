@@ -400,9 +400,10 @@ TEST(Resumed, WhileAnotherRunWritesIsRefused) {
   EXPECT_EQ(first.get(), 130);
   for (const Outcome& run : {second, third}) {
     EXPECT_EQ(run.code, 5);
-    EXPECT_THAT(run.err, MatchesRegex("blocks: error: cannot write long.vtkhdf: "
-                                      "another run is writing it \\(process [0-9]+ on "
-                                      ".*\\); use -o NAME for other files\n"));
+    EXPECT_THAT(run.err,
+                MatchesRegex("blocks: error: cannot write long.vtkhdf: "
+                             "another program is writing it \\(process [0-9]+ on "
+                             ".*\\); use -o NAME for other files\n"));
   }
 }
 
