@@ -259,6 +259,17 @@ def test_any_object_with_outlines():
     assert plotting.picture(state).startswith(b"\x89PNG")
 
 
+@pytest.mark.parametrize("name, clim, zero", [("s11", (0, 5), 0.0), ("s22", (-1, 0), 1.0), ("s12", (0, 4), 0.0)])
+def test_values_of_one_sign_have_half_of_the_map(name, clim, zero):
+    """Zero keeps the colour in the middle, and the bar has no half without values."""
+    drawn = plotting.plot(State(), colour=name).blocks
+    assert drawn.get_clim() == clim and drawn.get_cmap().name == "RdBu_r"
+    np.testing.assert_allclose(drawn.get_cmap()(zero), matplotlib.colormaps["RdBu_r"](0.5), atol=0.02)
+    own = plotting.plot(State(), colour=name, cmap="PuOr").blocks
+    assert own.get_clim() == (-max(map(abs, clim)), max(map(abs, clim))) and own.get_cmap().name == "PuOr"
+    assert plotting.plot(State(), colour=name, clim=(-9, 9)).blocks.get_cmap()(0.5) == drawn.get_cmap()(zero)
+
+
 def test_simulations(fall):
     simulation = blocks.Simulation(fall)
     simulation.run_until(1.2, read=True)

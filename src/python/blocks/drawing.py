@@ -214,20 +214,29 @@ def _set_values(
     found = matplotlib.colormaps[MAPS[zero]] if cmap is None else cmap
     if isinstance(found, str):
         found = matplotlib.colormaps[found]
+    has_range = "norm" in options or "clim" in options
+    low, high = _range_of(values, zero, one_sided=cmap is None)
+    if zero == "middle" and not has_range and 0.0 in (low, high):
+        ends = (0.5, 1.0) if low == 0.0 else (0.0, 0.5)  # zero keeps the colour in the middle
+        found = colors.ListedColormap(found(np.linspace(*ends, 256)), found.name)
     if "cmap" not in options:
         blocks.set_cmap(found.with_extremes(bad="0.85"))
     blocks.set_array(np.ma.masked_invalid(values))
-    if "norm" in options or "clim" in options:
-        return
+    if not has_range:
+        blocks.set_clim(low, high)
+
+
+def _range_of(values: _Floats, zero: str, one_sided: bool) -> tuple[float, float]:
+    """Returns the range of the colours. If zero is in the middle, the range is centred on 0, or ends there if
+    `one_sided` and all values have one sign."""
     known = values[np.isfinite(values)]
-    low, high = (known.min(), known.max()) if known.size else (0.0, 0.0)
+    low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
     if zero == "middle":
-        high = max(abs(low), abs(high)) or 1.0
-        low = -high
-    else:
-        low = min(0.0, low) if zero == "lowest" else low
-        high = high if high > low else low + 1.0
-    blocks.set_clim(low, high)
+        largest = max(abs(low), abs(high)) or 1.0
+        is_half = one_sided and (low < 0.0) != (high > 0.0)
+        return (0.0 if is_half and high > 0.0 else -largest), (0.0 if is_half and low < 0.0 else largest)
+    low = min(0.0, low) if zero == "lowest" else low
+    return low, high if high > low else low + 1.0
 
 
 def _points_per_length(ax: Axes, scene: Scene) -> float:
