@@ -8,7 +8,7 @@ namespace {
 
 /// Parses a deck with this card and returns it.
 template <class T> T card(const std::string& text) {
-  const Parsed parsed = parse_text(preliminary + text);
+  const Parsed parsed = parse_text(preliminary_cards + text);
   EXPECT_EQ(parsed.messages, "") << text;
   return parsed.only<T>();
 }
@@ -85,8 +85,8 @@ TEST(Cards, CreateHasTheCornersOfABlock) {
 
 TEST(Cards, CloopActsOnTheNextCreateOnly) {
   const Parsed p =
-      parse_text(preliminary + "CLOOP, 4, , 1.5\nCREATE, 3, 1\n0,1,1\n0,1,0\n"
-                               "CREATE, 3, 1\n0,1,1\n0,1,0\n");
+      parse_text(preliminary_cards + "CLOOP, 4, , 1.5\nCREATE, 3, 1\n0,1,1\n0,1,0\n"
+                                     "CREATE, 3, 1\n0,1,1\n0,1,0\n");
   EXPECT_EQ(p.messages, "");
   const auto& first = std::get<Create>(p.deck.commands[7].card);
   ASSERT_TRUE(first.loop.has_value());

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 TEST(CardsText, HasExamplesThatParse) {
   for (const CardSpec& card : card_table()) {
-    std::string text = preliminary;
+    std::string text = preliminary_cards;
     const std::string example(card.example);
     const auto replace = [&](const std::string& line) {
       text.replace(text.find(line), line.size(), example + "\n");

@@ -37,8 +37,9 @@ inline Parsed parse_text(const std::string& text,
 }
 
 /// Seven preliminary cards, including END.
-inline const std::string preliminary = "START, 100, 6\nTitle\nXLIMITS, 0, 9\n"
-                                       "YLIMITS, 0, 9\nBOXES, 1, 1\nFRACTION, .1\n"
-                                       "MATERIAL, 1, , , 2.\nEND\n";
+inline const std::string preliminary_cards =
+    "START, 100, 6\nTitle\nXLIMITS, 0, 9\n"
+    "YLIMITS, 0, 9\nBOXES, 1, 1\nFRACTION, .1\n"
+    "MATERIAL, 1, , , 2.\nEND\n";
 
 }  // namespace blocks::deck

@@ -77,12 +77,12 @@ TEST(Parser, IgnoresLineEndsAndLetterCase) {
 }
 
 TEST(Parser, EndOfFileActsAsStop) {
-  EXPECT_EQ(parse_text(preliminary + "CYCLE, 1").messages, "");
+  EXPECT_EQ(parse_text(preliminary_cards + "CYCLE, 1").messages, "");
 }
 
 TEST(Overrides, ReplaceAFieldOfEveryCardOfThatName) {
   const Parsed p = parse_text(
-      preliminary + "MOTION, 1\nMOTION, 2\nOUTPUT, 1, 4\n",
+      preliminary_cards + "MOTION, 1\nMOTION, 2\nOUTPUT, 1, 4\n",
       {{"motion", "DT", "3.D0"}, {"BOXES", "ctol", ".5"}, {"OUTPUT", "nb", "1,2"}});
   EXPECT_EQ(p.messages, "");
   EXPECT_EQ(std::get<Motion>(p.deck.commands[7].card).dt.value, 3.0);
@@ -94,7 +94,7 @@ TEST(Overrides, ReplaceAFieldOfEveryCardOfThatName) {
 }
 
 TEST(Overrides, WithANumberReplaceAFieldOfOneCard) {
-  const Parsed p = parse_text(preliminary + "MOTION, 1\nMOTION, 2\nMOTION, 3\n",
+  const Parsed p = parse_text(preliminary_cards + "MOTION, 1\nMOTION, 2\nMOTION, 3\n",
                               {{"MOTION", "dt", "4"}, {"motion[2]", "dt", "5"}});
   EXPECT_EQ(p.messages, "");
   EXPECT_EQ(std::get<Motion>(p.deck.commands[7].card).dt.value, 4.0);
@@ -104,7 +104,7 @@ TEST(Overrides, WithANumberReplaceAFieldOfOneCard) {
 
 TEST(Overrides, TellHowManyCardsThereAre) {
   EXPECT_EQ(
-      parse_text(preliminary + "MOTION, 1\nMOTION, 2\nSTOP\nMOTION, 3\n",
+      parse_text(preliminary_cards + "MOTION, 1\nMOTION, 2\nSTOP\nMOTION, 3\n",
                  {{"MOTION[3]", "dt", "1"},
                   {"MOTION[0]", "dt", "1"},
                   {"MOTION[x", "dt", "1"},
@@ -134,18 +134,19 @@ TEST(SettableFields, HaveTheFormOfOverrides) {
 }
 
 TEST(Overrides, MayReplaceAValueOutOfRange) {
-  EXPECT_EQ(parse_text(preliminary + "MOTION, -1\n", {{"MOTION", "dt", "1"}}).messages,
-            "");
+  EXPECT_EQ(
+      parse_text(preliminary_cards + "MOTION, -1\n", {{"MOTION", "dt", "1"}}).messages,
+      "");
 }
 
 TEST(Overrides, AreCheckedLikeTheDeck) {
   EXPECT_EQ(
-      parse_text(preliminary + "MOTION, 1\nMOTION, 2\n", {{"MOTION", "dt", "-1"},
-                                                          {"MOTOIN", "dt", "1"},
-                                                          {"MOTION", "td", "1"},
-                                                          {"DUMP", "x", "1"},
-                                                          {"FIX", "nb2", "1"},
-                                                          {"SEED", "seed", "5"}})
+      parse_text(preliminary_cards + "MOTION, 1\nMOTION, 2\n", {{"MOTION", "dt", "-1"},
+                                                                {"MOTOIN", "dt", "1"},
+                                                                {"MOTION", "td", "1"},
+                                                                {"DUMP", "x", "1"},
+                                                                {"FIX", "nb2", "1"},
+                                                                {"SEED", "seed", "5"}})
           .messages,
       "--set MOTION.dt=-1: error: MOTION: dt must be > 0, found '-1'\n  hint: dt: "
       "interval\n--set MOTOIN.dt=1: error: unknown card 'MOTOIN'\n  hint: did you mean "
@@ -158,12 +159,12 @@ TEST(Overrides, AreCheckedLikeTheDeck) {
 }
 
 TEST(Overrides, ChangeTheLengthOfListsTheyCount) {
-  const std::string text = preliminary + "CREATE, 4, 1\n0,1,1\n0,1,0\n";
+  const std::string text = preliminary_cards + "CREATE, 4, 1\n0,1,1\n0,1,0\n";
   EXPECT_EQ(parse_text(text, {{"CREATE", "nc", "3"}}).messages, "");
 }
 
 TEST(Diagnostics, PrintAtMostAHundredMessages) {
-  std::string text = preliminary;
+  std::string text = preliminary_cards;
   for (int i = 0; i < 105; ++i) {
     text += "NONSENSE\n";
   }
