@@ -53,7 +53,7 @@ long compare(const Model& start, int steps, double most_apart = 0.0) {
 /// In these scenes blocks overlap by less than the slack and meet in points, so a
 /// decision may be late.
 bool may_be_late(std::string_view scene) {
-  return scene == "bricks" || scene == "notch" || scene == "bonded";
+  return scene == "notch" || scene == "bonded";
 }
 
 TEST(Pairs, GiveTheSameBitsWithKeptDecisions) {

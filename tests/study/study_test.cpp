@@ -148,7 +148,7 @@ struct KnownFailure {
   long most_fell;              ///< frames
   double most_lost;            ///< mean of the speed lost
   double most_energy;          ///< worst error
-  double most_phantom = 1e-3;  ///< shares of contacts in kept decisions
+  double most_phantom = 1e-4;  ///< shares of contacts in kept decisions
 };
 constexpr std::array known_failures = {
     // A tip at a joint presses two springs, which lose some energy.
@@ -158,7 +158,8 @@ constexpr std::array known_failures = {
     // A corner that slides out of the slack of a joint loses its spring.
     KnownFailure{"toe", 0, 0, 0.0, 0.06, 0.015},
     // Far from the origin, rounding brakes the brick a little.
-    KnownFailure{"bricks", 0, 0, 1e-6, 1e-4},
+    // Late decisions of its pairs, which overlap by less than the slack.
+    KnownFailure{"bricks", 0, 0, 1e-6, 1e-4, 1e-3},
     // Sliders and tips at joints (docs/robustness.md#cut-domains).
     KnownFailure{"cut", 0, 0, 0.0, 0.0}, KnownFailure{"bonded", 0, 0, 0.0, 0.0}};
 
@@ -183,7 +184,7 @@ TEST(DefaultVariant, NeitherHangsNorFallsThrough) {
     const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
     EXPECT_FALSE(row.wrong_signs.value > 0.0) << name;
     const KnownFailure* known = known_failure(name);
-    const double most_phantom = known ? known->most_phantom : 1e-3;
+    const double most_phantom = known ? known->most_phantom : 1e-4;
     EXPECT_FALSE(row.phantom.value > most_phantom) << name;
     EXPECT_FALSE(row.missed.value > most_phantom) << name;
     if (known) {
