@@ -29,12 +29,8 @@ Blocks KeptPairs::blocks_at(const std::vector<KeptPose>& poses) const {
     if (then.centroid.col(b) == pose.centroid && then.gradient.col(b) == pose.gradient)
       continue;  // corners that have never moved are not sums of centroid and arm
     then.centroid.col(b) = pose.centroid, then.gradient.col(b) = pose.gradient;
-    const Eigen::Vector4d& g = pose.gradient;
-    for (int c = then.first_corner[b]; c < then.first_corner[b + 1]; ++c) {
-      const Vec2 arm = then.arm.col(c);
-      then.corner.col(c) = pose.centroid + Vec2(g[0] * arm.x() + g[1] * arm.y(),
-                                                g[3] * arm.y() + g[2] * arm.x());
-    }
+    for (int c = then.first_corner[b]; c < then.first_corner[b + 1]; ++c)
+      then.corner.col(c) = pose.corner(then.arm.col(c));
   }
   return then;
 }

@@ -60,17 +60,18 @@ KeptDecisions kept_decisions(const Workspace& work) {
     const std::vector<KeptDepth>& depths = decisions.renewals[p].depths;
     kept.poses.insert(kept.poses.end(), poses.begin(), poses.end());
     kept.depths.insert(kept.depths.end(), depths.begin(), depths.end());
-    kept.pairs.push_back({low, high, std::min(decisions.limits[p].two, largest),
-                          std::min(decisions.limits[p].neighbours, largest),
-                          static_cast<int>(kept.contacts.size() - before),
-                          static_cast<int>(poses.size()),
-                          static_cast<int>(depths.size())});
+    Room room = decisions.rooms[p];
+    room.motion = std::min(room.motion, largest);
+    room.until = std::min(room.until, largest);
+    kept.pairs.push_back(
+        {low, high, room, static_cast<int>(kept.contacts.size() - before),
+         static_cast<int>(poses.size()), static_cast<int>(depths.size())});
   }
-  kept.start = decisions.bounds.poses();
   for (std::size_t b = 0; b < work.changed_blocks.size(); ++b)
     if (work.changed_blocks[b] != 0)
       kept.pieces.push_back(static_cast<int>(b));
-  kept.spoiled = decisions.spoiled;
+  kept.most = decisions.bounds.most;
+  kept.blocks = static_cast<int>(decisions.bounds.longest.size());
   return kept;
 }
 
@@ -80,13 +81,12 @@ void restore_decisions(Model& model, Workspace& work) {
   std::vector<NearPair> pairs;
   for (const KeptPair& pair : kept.pairs)
     pairs.push_back({pair.low, pair.high});
-  work.index.take(pairs, static_cast<int>(kept.start.size()));
+  work.index.take(pairs, kept.blocks);
   work.parts.make(blocks);
   Decisions& decisions = work.decisions;
   decisions.bounds.start(blocks, model.settings.rigid);
-  decisions.reset(blocks, work.index.size());
-  decisions.bounds.begin_phase(kept.start);
-  decisions.spoiled = kept.spoiled;
+  decisions.bounds.most = kept.most;
+  decisions.reset(work.index.size());
   ContactsOfPairs listed, contacts;
   read_list(blocks, model.contacts, model.joint_states, work.index, listed);
   std::size_t k = 0;
@@ -98,7 +98,8 @@ void restore_decisions(Model& model, Workspace& work) {
     const auto limit = [](double stored) {
       return stored < largest ? stored : infinite;
     };
-    decisions.limits[p] = {limit(pair.limit), limit(pair.limit_of_neighbours)};
+    decisions.rooms[p] = {limit(pair.room.motion), limit(pair.room.until),
+                          pair.room.then};
     decisions.renewals[p] = {{pose, pose + pair.poses}, {depth, depth + pair.depths}};
     pose += pair.poses, depth += pair.depths;
     const bool has_listed = k < listed.pair.size() && listed.pair[k] == p;

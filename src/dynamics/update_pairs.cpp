@@ -166,7 +166,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
     read_list(blocks, model.contacts, model.joint_states, work.index, contacts);
     work.contacts.slots_of_pair.assign(work.index.pairs.size(), 0);
     work.decisions.bounds.start(blocks, model.settings.rigid);
-    work.decisions.reset(blocks, work.index.size());
+    work.decisions.reset(work.index.size());
   }
   work.changed_blocks.clear();
   work.split.start(blocks.size(), work.index.pairs, pairs_of_window,

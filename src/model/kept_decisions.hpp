@@ -9,12 +9,29 @@
 
 namespace blocks {
 
-/// Two blocks near each other, and how far they may move before they are decided again.
+/// Where two blocks were, one against the other.
+struct PairPose {
+  geometry::Vec2 apart =
+      geometry::Vec2::Zero();  ///< [L] from one centroid to the other
+  Eigen::Vector4d low = Eigen::Vector4d::Zero();  ///< deformation gradient of the first
+  Eigen::Vector4d high = Eigen::Vector4d::Zero();  ///< the same of the second
+};
+
+/// How long a decision certainly holds. A new one is made in the next step.
+struct Room {
+  /// [L] The motion of the two blocks since `then` has to be less. 0 for decisions of
+  /// the exact rule.
+  double motion = 0.0;
+  /// [L] The largest path of any block (KeptDecisions::most) has to be less: a
+  /// neighbour may matter then. Infinite if neighbours do not matter.
+  double until = 0.0;
+  PairPose then;
+};
+
+/// Two blocks near each other, and how long their decision holds.
 struct KeptPair {
   int low = 0, high = 0;  ///< blocks, low < high
-  /// [L] limits of the motion of the two blocks, and of their neighbours as well. Not
-  /// positive: the next step decides them.
-  double limit = 0.0, limit_of_neighbours = 0.0;
+  Room room;
   int contacts = 0;  ///< number of its entries in KeptDecisions::contacts
   int poses = 0;     ///< the same in KeptDecisions::poses
   int depths = 0;    ///< the same in KeptDecisions::depths
@@ -32,6 +49,12 @@ struct KeptPose {
   int block = 0;
   geometry::Vec2 centroid = geometry::Vec2::Zero();    ///< [L]
   Eigen::Vector4d gradient = Eigen::Vector4d::Zero();  ///< deformation gradient
+
+  /// Returns the corner at the end of an arm, with the bits of a step, [L].
+  geometry::Vec2 corner(const geometry::Vec2& arm) const {
+    return centroid + geometry::Vec2(gradient[0] * arm.x() + gradient[1] * arm.y(),
+                                     gradient[3] * arm.y() + gradient[2] * arm.x());
+  }
 };
 
 /// A depth on which a decision depends: that of the deepest corner of the part `other`
@@ -50,11 +73,12 @@ struct KeptDecisions {
   std::vector<KeptContact> contacts;
   std::vector<KeptPose> poses;
   std::vector<KeptDepth> depths;
-  std::vector<KeptPose> start;  ///< (blocks) at the beginning of the phase
   std::vector<int> pieces;  ///< blocks that have split since the last search, ascending
-  long spoiled = 0;         ///< decisions of this phase that soon expire again
+  /// [L] bound of the path of every block since the first step
+  double most = 0.0;
+  int blocks = 0;  ///< number of blocks at the last search; 0: no decisions
 
-  bool empty() const { return start.empty(); }
+  bool empty() const { return blocks == 0; }
 };
 
 }  // namespace blocks

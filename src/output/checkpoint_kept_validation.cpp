@@ -22,6 +22,15 @@ void expect_poses(const char* name, const std::vector<KeptPose>& poses, int bloc
   }
 }
 
+void expect_room(const Room& room) {
+  expect("kept/pairs/motion", room.motion, not_negative);
+  expect("kept/pairs/until", room.until, not_negative);
+  expect("kept/pairs/apart", room.then.apart);
+  for (const Eigen::Vector4d& gradient : {room.then.low, room.then.high})
+    for (const double value : gradient)
+      expect("kept/pairs/gradient", value, finite);
+}
+
 /// Expects depths below sides that exist.
 void expect_depths(const std::vector<KeptDepth>& depths, const Blocks& blocks) {
   std::vector<std::vector<int>> parts(static_cast<std::size_t>(blocks.size()));
@@ -53,23 +62,18 @@ void expect_counts(const char* name, long counted, std::size_t rows) {
 
 void expect_kept(const Model& model) {
   const KeptDecisions& kept = model.kept;
-  const auto blocks = static_cast<int>(kept.start.size());
-  expect_counts("kept/start", std::min(blocks, model.blocks.size()), kept.start.size());
-  expect_poses("kept/start", kept.start, blocks);
-  for (int b = 0; b < blocks; ++b)
-    if (kept.start[static_cast<std::size_t>(b)].block != b)
-      reject_checkpoint(fmt::format("kept/start: block {} is out of order", b + 1));
+  expect_index("kept/blocks", kept.blocks, model.blocks.size() + 1);
+  expect("kept/most", kept.most, not_negative);
   expect_poses("kept/poses", kept.poses, model.blocks.size());
   std::pair last(-1, -1);
   long contacts = 0, poses = 0, depths = 0;
   for (const KeptPair& pair : kept.pairs) {
-    expect_index("kept/pairs/low", pair.low, blocks);
-    expect_index("kept/pairs/high", pair.high, blocks);
+    expect_index("kept/pairs/low", pair.low, kept.blocks);
+    expect_index("kept/pairs/high", pair.high, kept.blocks);
     if (pair.low >= pair.high || std::pair(pair.low, pair.high) <= last)
       reject_checkpoint("kept/pairs is out of order");
     last = {pair.low, pair.high};
-    expect("kept/pairs/limit", pair.limit, finite);
-    expect("kept/pairs/limit_of_neighbours", pair.limit_of_neighbours, finite);
+    expect_room(pair.room);
     expect("kept/pairs/contacts", pair.contacts, count_from_0);
     expect("kept/pairs/poses", pair.poses, count_from_0);
     expect("kept/pairs/depths", pair.depths, count_from_0);
@@ -87,7 +91,6 @@ void expect_kept(const Model& model) {
   }
   for (const int block : kept.pieces)
     expect_index("kept/pieces", block, model.blocks.size());
-  expect("kept/spoiled", static_cast<double>(kept.spoiled), count_from_0);
 }
 
 }  // namespace blocks::output

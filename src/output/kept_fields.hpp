@@ -21,14 +21,24 @@ void visit_poses(P& poses, const char* name, Archive& ar) {
 }
 
 template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
-  auto& [pairs, contacts, poses, depths, start, pieces, spoiled] = kept;
+  auto& [pairs, contacts, poses, depths, pieces, longest_path, blocks] = kept;
   ar.records("kept/pairs", pairs, [](auto& column, auto& pair) {
-    auto& [low, high, limit, limit_of_neighbours, contact_count, pose_count,
-           depth_count] = pair;
+    auto& [low, high, room, contact_count, pose_count, depth_count] = pair;
+    auto& [motion, until, then] = room;
     column("low", low);
     column("high", high);
-    column("limit", limit);
-    column("limit_of_neighbours", limit_of_neighbours);
+    column("motion", motion);
+    column("until", until);
+    column("apart_x", then.apart.x());
+    column("apart_y", then.apart.y());
+    column("low_g0", then.low[0]);
+    column("low_g1", then.low[1]);
+    column("low_g2", then.low[2]);
+    column("low_g3", then.low[3]);
+    column("high_g0", then.high[0]);
+    column("high_g1", then.high[1]);
+    column("high_g2", then.high[2]);
+    column("high_g3", then.high[3]);
     column("contacts", contact_count);
     column("poses", pose_count);
     column("depths", depth_count);
@@ -51,9 +61,9 @@ template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
     column("least", least);
     column("most", most);
   });
-  visit_poses(start, "kept/start", ar);
   ar("kept/pieces", pieces);
-  ar("kept/spoiled", spoiled);
+  ar("kept/most", longest_path);
+  ar("kept/blocks", blocks);
 }
 
 }  // namespace blocks::output

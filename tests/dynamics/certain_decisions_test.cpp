@@ -114,18 +114,22 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
       const Blocks start = cluster.model.blocks;
       Blocks& blocks = cluster.model.blocks;
       Decisions& decisions = cluster.work.decisions;
-      decisions.keep(blocks, index, p, {decision.room, decision.room_of_neighbours});
+      const NearPair& pair = index.pairs[p];
+      decisions.keep_certain(blocks, pair, p, decision.room, decision.growth);
+      const double most = decisions.bounds.most;
       for (int trial = 0; trial < 2; ++trial) {
         const double own = cluster.clusters.uniform(0.0, 0.999) * decision.room;
         const double share = cluster.clusters.uniform(0.0, 1.0);
-        const NearPair& pair = index.pairs[p];
-        cluster.move(pair.low, share * own);
-        cluster.move(pair.high, (1.0 - share) * own);
-        const double left = std::min(1.0, decision.room_of_neighbours) - own;
+        // All blocks move by less than the growth, or the two alone move by more.
+        const double growth = std::min(1.0, 0.999 * decision.growth);
+        const double common = trial == 0 ? std::min(own, growth) : own;
+        cluster.move(pair.low, share * common);
+        cluster.move(pair.high, (1.0 - share) * common);
         for (int b = 0; b < start.size(); ++b)
-          if (b != pair.low && b != pair.high && left > 0.0)
-            cluster.move(b, cluster.clusters.uniform(0.0, 0.7) * left);
-        if (decisions.growth_left(blocks, cluster.work.parts, index, p) > 0.0) {
+          if (b != pair.low && b != pair.high)
+            cluster.move(b, cluster.clusters.uniform(0.0, 1.0) * growth);
+        decisions.bounds.most = most + std::max(growth, common);
+        if (decisions.growth_left(blocks, cluster.work.parts, pair, p) > 0.0) {
           const Contacts after = cluster.exact(p);
           ASSERT_EQ(cluster.acting(p), after) << "pair " << p << " moved by " << own;
           ++count.moved;
@@ -133,6 +137,7 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
         }
         blocks = start;
       }
+      decisions.bounds.most = most;
     }
   }
   EXPECT_GT(count.certain, count.pairs / 2) << "of " << count.pairs;

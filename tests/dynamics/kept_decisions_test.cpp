@@ -25,22 +25,22 @@ PairIndex index_of(std::vector<NearPair> pairs, int blocks) {
   return index;
 }
 
-/// Decisions of all pairs, which depend on neighbours if the second limit is finite.
-Decisions made(const PairIndex& index, double of_neighbours) {
+/// Certain decisions of all pairs, which depend on neighbours if `until` is finite.
+Decisions made(const PairIndex& index, double until) {
   Decisions decisions;
   for (int p = 0; p < index.size(); ++p) {
-    decisions.limits.push_back({1.0 + p, of_neighbours});
+    decisions.rooms.push_back({.motion = 1.0 + p, .until = until, .then = {}});
     decisions.next_check.push_back(0.25 + p);
     decisions.renewals.emplace_back();
   }
   return decisions;
 }
 
-std::vector<double> limits_of(const Decisions& decisions) {
-  std::vector<double> limits;
-  for (const PairMotion& limit : decisions.limits)
-    limits.push_back(limit.two);
-  return limits;
+std::vector<double> rooms_of(const Decisions& decisions) {
+  std::vector<double> rooms;
+  for (const Room& room : decisions.rooms)
+    rooms.push_back(room.motion);
+  return rooms;
 }
 
 // A row of six blocks. A search finds that blocks 0 and 2 are near, and no longer lists
@@ -52,7 +52,7 @@ TEST(KeptDecisions, OutliveASearch) {
   const PairIndex old = index_of(row, 6), now = index_of(later, 6);
   Decisions decisions = made(old, infinite);
   decisions.keep_in(now, old, {});
-  EXPECT_EQ(limits_of(decisions), (std::vector<double>{1, 0, 2, 3, 4}));
+  EXPECT_EQ(rooms_of(decisions), (std::vector<double>{1, 0, 2, 3, 4}));
   EXPECT_EQ(decisions.next_check, (std::vector<double>{0.25, 0, 1.25, 2.25, 3.25}));
 }
 
@@ -61,7 +61,7 @@ TEST(KeptDecisions, EndIfANewNeighbourMayMatter) {
   Decisions decisions = made(old, 10.0);
   decisions.keep_in(now, old, {});
   // Blocks 0 and 2 have a new neighbour. Blocks 3 and 4 have lost one at most.
-  EXPECT_EQ(limits_of(decisions), (std::vector<double>{0, 0, 0, 0, 4}));
+  EXPECT_EQ(rooms_of(decisions), (std::vector<double>{0, 0, 0, 0, 4}));
 }
 
 TEST(KeptDecisions, EndIfABlockOrANeighbourHasSplit) {
@@ -72,8 +72,8 @@ TEST(KeptDecisions, EndIfABlockOrANeighbourHasSplit) {
   Decisions alone = made(old, infinite), among_others = made(old, 10.0);
   alone.keep_in(now, old, changed);
   among_others.keep_in(now, old, changed);
-  EXPECT_EQ(limits_of(alone), (std::vector<double>{1, 2, 3, 4, 0, 0}));
-  EXPECT_EQ(limits_of(among_others), (std::vector<double>{1, 2, 3, 0, 0, 0}));
+  EXPECT_EQ(rooms_of(alone), (std::vector<double>{1, 2, 3, 4, 0, 0}));
+  EXPECT_EQ(rooms_of(among_others), (std::vector<double>{1, 2, 3, 0, 0, 0}));
 }
 
 /// The fields of the decisions that a checkpoint contains, as one text.
@@ -156,14 +156,14 @@ struct Row {
     }
     parts.make(model.blocks);
     decisions.bounds.start(model.blocks, true);
-    decisions.reset(model.blocks, 2);
+    decisions.reset(2);
   }
   void keep(const std::vector<KeptDepth>& depths) {
     decisions.keep_exact(model.blocks, parts, index, 0, depths);
   }
   bool holds() {
     decisions.bounds.grow(1e-2);
-    return decisions.growth_left(model.blocks, parts, index, 0) > 0.0;
+    return decisions.growth_left(model.blocks, parts, index.pairs[0], 0) > 0.0;
   }
 };
 

@@ -54,20 +54,18 @@ Model full_model() {
   model.crack_refusals = {{0, CrackRefusal::small}, {1, CrackRefusal::full}};
   samples::add_laws(model);
   model.energy.kept = true;
-  model.kept.start = {{.block = 0}, {.block = 1}};
-  model.kept.poses = model.kept.start;
+  model.kept.blocks = 2, model.kept.most = 0.5;
+  model.kept.poses = {{.block = 0}, {.block = 1}};
   model.kept.contacts = {{.corner = 4, .edge = 1, .tested = true}};
   model.kept.pairs = {{.low = 0,
                        .high = 1,
-                       .limit = 1e-3,
-                       .limit_of_neighbours = 2e-3,
+                       .room = {.motion = 1e-3, .until = 2e-3, .then = {}},
                        .contacts = 1,
                        .poses = 2,
                        .depths = 1}};
   model.kept.depths = {
       {.own_block = 0, .other_block = 1, .side = 2, .least = -1e-9, .most = 1e-6}};
   model.kept.pieces = {1};
-  model.kept.spoiled = 1;
   model.energy.sums.assign(energy_entries, 0.25);
   model.energy.errors.assign(energy_entries, 0.0);
   return model;

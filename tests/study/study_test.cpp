@@ -132,7 +132,8 @@ TEST(DefaultVariant, GivesTheBitsOfARun) {
       variant->find(studied, b);
       variant->step(studied, b);
       for (int p = 0; p < b.index.size(); ++p)
-        kept += b.decisions.growth_left(studied.blocks, b.parts, b.index, p) > 0.0;
+        kept +=
+            b.decisions.growth_left(studied.blocks, b.parts, b.index.pairs[p], p) > 0.0;
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;

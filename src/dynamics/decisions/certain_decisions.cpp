@@ -9,6 +9,10 @@
 namespace blocks::dynamics {
 namespace {
 
+/// By how much MotionBounds::most may grow, for each unit of length between a third
+/// part and the reach of a contact point (docs/kept-decisions.md#third-parts).
+constexpr double growth_per_room = 0.15;
+
 /// Adds the kernel's answer about two parts to the decision of their blocks.
 class LaneDecision {
  public:
@@ -37,8 +41,7 @@ class LaneDecision {
     }
     add_contacts(decision.contacts);
     decision.room = std::min(decision.room, room_);
-    decision.room_of_neighbours =
-        std::min(decision.room_of_neighbours, room_of_neighbours_);
+    decision.growth = std::min(decision.growth, growth_);
   }
 
  private:
@@ -48,9 +51,9 @@ class LaneDecision {
            (facing_ < 0 || parts_.is_isolated(other_, facing_));
   }
   /// Returns whether all third parts are so far from the contact point that they hide
-  /// nothing, even after some motion. Sets the room of neighbours.
+  /// nothing, even after some motion.
   bool third_parts_are_away() {
-    bool are_away = true;
+    bool are_away = answers_.reach[lane_] <= bounds_.longest[parts_.block(own_)];
     const auto visit = [&](int part) { are_away = are_away && is_away(part); };
     const Neighbours neighbours{index_};
     each_third_part(blocks_, parts_, neighbours, own_, other_, visit);
@@ -59,13 +62,11 @@ class LaneDecision {
   }
   bool is_away(int part) {
     const double least_room =
-        0x1p-10 * std::min(bounds_.longest[pair_.low], bounds_.longest[pair_.high]);
+        0x1p-9 * std::min(bounds_.longest[pair_.low], bounds_.longest[pair_.high]);
     const double beyond =
         answers_.reach[lane_] + answers_.rounding[lane_] + bounds_.rounding;
-    // Both the contact point and the part move, each by 1.1 times the motion at most.
-    const double hold = bounds_.rigid ? 0.45 : 0.1;
-    const double room = hold * (distance_to(part, beyond + least_room / hold) - beyond);
-    room_of_neighbours_ = std::min(room_of_neighbours_, room);
+    const double room = distance_to(part, beyond + least_room) - beyond;
+    growth_ = std::min(growth_, growth_per_room * room);
     return room >= least_room;
   }
   /// Returns a lower bound of the distance from the contact point to a part, [L]. It is
@@ -73,13 +74,11 @@ class LaneDecision {
   double distance_to(int part, double enough) const {
     const Vec2 point(answers_.x[lane_], answers_.y[lane_]);
     const int block = parts_.block(part);
-    if (bounds_.rigid) {
-      const double away =
-          (point - blocks_.centroid.col(block)).lpNorm<Eigen::Infinity>() -
-          bounds_.longest[block];
-      if (away >= enough)
-        return away;
-    }
+    const double away =
+        (point - blocks_.centroid.col(block)).lpNorm<Eigen::Infinity>() -
+        bounds_.longest[block] * bounds_.stretch(blocks_, block);
+    if (away >= enough)
+      return away;
     double farthest = 0.0;
     Vec2 start = blocks_.corner.col(parts_.corner(part, parts_.corners(part) - 1));
     for (int k = 0; k < parts_.corners(part) && farthest < enough; ++k) {
@@ -122,7 +121,7 @@ class LaneDecision {
   int side_, facing_, corner_;
   const NearPair& pair_;
   double room_ = 0.0;
-  double room_of_neighbours_ = std::numeric_limits<double>::infinity();
+  double growth_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -134,8 +133,7 @@ void CertainDecisions::find(const Blocks& blocks, const BlockParts& parts,
   two_parts_.clear();
   for (std::size_t k = 0; k < due.size(); ++k) {
     decisions_[k].contacts.clear();
-    decisions_[k].room = decisions_[k].room_of_neighbours =
-        std::numeric_limits<double>::infinity();
+    decisions_[k].room = decisions_[k].growth = std::numeric_limits<double>::infinity();
     const NearPair& pair = index.pairs[due[k]];
     each_pair_of_parts(parts, pair.low, pair.high, [&](int p, int q) {
       if (std::max(parts.corners(p), parts.corners(q)) <= PartPairs::max_corners)

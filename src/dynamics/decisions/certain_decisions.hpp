@@ -13,17 +13,17 @@
 
 namespace blocks::dynamics {
 
-/// The decision of a pair, and its rooms: how far blocks may move before it can change.
+/// The decision of a pair, and how far blocks may move before it can change.
 struct CertainDecision {
   /// The contacts that may act. Each acts if its corner is inside its edge (19) and
   /// between the ends of the edge.
   std::vector<CornerOnEdge> contacts;
-  /// [L] The decision holds while the motion of the two blocks (PairMotion::two) is
-  /// less than this. If it is 0, the pair is in doubt.
+  /// [L] The decision holds while the motion of the two blocks is less than this. If it
+  /// is 0, the pair is in doubt.
   double room = 0.0;
-  /// [L] The same for the motion of neighbours (PairMotion::neighbours). It is infinite
-  /// if neighbours do not matter.
-  double room_of_neighbours = std::numeric_limits<double>::infinity();
+  /// [L] The decision holds while MotionBounds::most grows by less than this: then a
+  /// neighbour may matter. It is infinite if neighbours do not matter.
+  double growth = std::numeric_limits<double>::infinity();
 };
 
 /// Decides some pairs. Also holds the working memory of one thread.

@@ -47,7 +47,6 @@ struct DecisionThread {
   CertainDecisions certain;
   PairScratch scratch;
   ContactChanges changes;
-  long spoiled = 0;                    ///< adds to Decisions::spoiled
   unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
 };
 
@@ -70,8 +69,7 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
     const int p = thread.due[k];
     if (Rules::keeps_decisions && thread.certain[k].room > 0.0) {
       const CertainDecision& decision = thread.certain[k];
-      thread.spoiled += decisions.keep(blocks, index, p,
-                                       {decision.room, decision.room_of_neighbours});
+      decisions.keep_certain(blocks, index.pairs[p], p, decision.room, decision.growth);
       arrays.assign(blocks, index, p, decision.contacts, true, thread.changes);
     } else {
       rules.decide(blocks, parts, index, p, thread.scratch);
@@ -96,8 +94,9 @@ void find_due(const Blocks& blocks, const BlockParts& parts, const PairIndex& in
   for (int p = begin; p < end; ++p) {
     if (Rules::keeps_decisions && most < decisions.next_check[p])
       continue;
-    const double left =
-        Rules::keeps_decisions ? decisions.growth_left(blocks, parts, index, p) : 0.0;
+    const double left = Rules::keeps_decisions
+                            ? decisions.growth_left(blocks, parts, index.pairs[p], p)
+                            : 0.0;
     if (left > 0.0)
       decisions.next_check[p] = most + left;
     else
@@ -121,12 +120,6 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
   const auto pairs_until = [&](int window) {
     return std::min(index.size(), window * pairs_of_window);
   };
-  if (Rules::keeps_decisions && decisions.phase_is_over()) {
-    workers.each(split.windows, [&](int, int begin, int end) {
-      decisions.carry_over(blocks, parts, index, pairs_until(begin), pairs_until(end));
-    });
-    decisions.begin_phase(blocks);
-  }
   // A window is decided by one thread, so no other thread writes to its batches.
   workers.each(split.windows, [&](int k, int begin, int end) {
     DecisionThread& thread = memory.threads[k];
@@ -136,8 +129,6 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
     decide_due(rules, blocks, parts, index, decisions, arrays, thread);
     thread.exact_calls += geometry::exact::calls() - before;
   });
-  for (DecisionThread& thread : memory.threads)
-    decisions.spoiled += std::exchange(thread.spoiled, 0);
   join_changes(memory, released);
   if (memory.grown.pair.empty())
     return;

@@ -11,14 +11,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Returns by how much MotionBounds::most may grow before the motion of a pair can grow
-/// by `left`. While `most` grows by d, shift and turn of one block together grow by at
-/// most 2 d. The reason is that `turn` is at most four times the motion of an arm,
-/// which `most` counts twice. So the motion of two blocks grows by at most 4 d. The
-/// motion of a neighbour against one of them adds at most 4 d.
-double growth_until(const PairMotion& left) {
-  return std::max(0.0, std::min(0.25 * left.two, 0.125 * left.neighbours));
-}
+/// While MotionBounds::most grows by d, shift and turn of one block together grow by at
+/// most d, so the motion of a pair by at most 2 d. The rest covers rounding.
+constexpr double motion_per_growth = 2.000001;
 
 /// Returns which blocks have a neighbour that is new or has changed, (blocks).
 std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
@@ -39,29 +34,20 @@ std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
   return found;
 }
 
-/// Returns whether the corners of a block are those of its pose. Before its first step
+/// Returns whether the corners of a block are those of a pose. Before its first step
 /// they are those of the deck, which may be rounded otherwise.
-bool has_corners_of_pose(const Blocks& blocks, int b) {
-  const Eigen::Vector4d& g = blocks.gradient.col(b);
-  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
-    const Vec2 arm = blocks.arm.col(c);
-    const Vec2 turned(g[0] * arm.x() + g[1] * arm.y(), g[3] * arm.y() + g[2] * arm.x());
-    if (blocks.corner.col(c) != blocks.centroid.col(b) + turned)
+bool has_corners_of(const Blocks& blocks, const KeptPose& pose) {
+  for (int c = blocks.first_corner[pose.block]; c < blocks.first_corner[pose.block + 1];
+       ++c)
+    if (blocks.corner.col(c) != pose.corner(blocks.arm.col(c)))
       return false;
-  }
   return true;
 }
 
 }  // namespace
 
-void Decisions::begin_phase(const Blocks& blocks) {
-  bounds.begin_phase(blocks);
-  spoiled = 0;
-}
-
-void Decisions::reset(const Blocks& blocks, int pairs) {
-  begin_phase(blocks);
-  limits.assign(static_cast<std::size_t>(pairs), {});
+void Decisions::reset(int pairs) {
+  rooms.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
   renewals.assign(static_cast<std::size_t>(pairs), {});
 }
@@ -70,12 +56,10 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
                         const std::vector<char>& changed) {
   const std::vector<char> touched =
       with_new_neighbours(now.neighbours, old.neighbours, changed);
-  std::vector<PairMotion> old_limits(now.pairs.size());
+  std::vector<Room> old_rooms(now.pairs.size());
   std::vector<double> old_checks(now.pairs.size(), 0.0);
-  limits.swap(old_limits);
-  next_check.swap(old_checks);
   std::vector<Renewal> old_renewals(now.pairs.size());
-  renewals.swap(old_renewals);
+  rooms.swap(old_rooms), next_check.swap(old_checks), renewals.swap(old_renewals);
   std::size_t k = 0;
   for (std::size_t p = 0; p < now.pairs.size(); ++p) {
     const auto [low, high] = now.pairs[p];
@@ -83,41 +67,32 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
       ++k;
     if (k == old.pairs.size() || !(old.pairs[k] == now.pairs[p]))
       continue;
-    const bool needs_neighbours = old_limits[k].neighbours < infinite;
+    const bool needs_neighbours =
+        !old_renewals[k].empty() || old_rooms[k].until < infinite;
     const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
     if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
-    limits[p] = old_limits[k], next_check[p] = old_checks[k];
+    rooms[p] = old_rooms[k], next_check[p] = old_checks[k];
     std::swap(renewals[p], old_renewals[k]);
   }
 }
 
-PairMotion Decisions::motion_of(const Blocks& blocks, const PairIndex& index, int p,
-                                bool neighbours) const {
-  const auto [low, high] = index.pairs[p];
-  const Vec2 low_shift = bounds.shift(blocks, low),
-             high_shift = bounds.shift(blocks, high);
-  const double turns = bounds.turn(blocks, low) + bounds.turn(blocks, high);
-  const double two = 1.0000001 * (low_shift - high_shift).norm() + turns;
-  double farthest = 0.0;
-  const auto include = [&](int block, const Vec2& shift) {
-    index.neighbours.each(block, [&](int other) {
-      const double apart = (bounds.shift(blocks, other) - shift).lpNorm<1>();
-      farthest = std::max(farthest, 1.0000001 * apart + bounds.turn(blocks, other));
-    });
-  };
-  if (neighbours)
-    include(low, low_shift), include(high, high_shift);
-  return {two, two + farthest};
+void Decisions::keep_certain(const Blocks& blocks, const NearPair& pair, int p,
+                             double room, double growth) {
+  const auto [low, high] = pair;
+  renewals[p].clear();
+  rooms[p] = {room,
+              bounds.most + growth,
+              {blocks.centroid.col(high) - blocks.centroid.col(low),
+               blocks.gradient.col(low), blocks.gradient.col(high)}};
+  next_check[p] = bounds.most + std::min(room / motion_per_growth, growth);
 }
 
 void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
                            const PairIndex& index, int p,
                            const std::vector<KeptDepth>& depths) {
   const auto [low, high] = index.pairs[p];
-  const double limit =
-      geometry::renewal_of_arm * std::min(bounds.longest[low], bounds.longest[high]);
-  limits[p] = {limit, limit};
+  rooms[p] = {};
   Renewal& renewal = renewals[p];
   renewal.depths = depths;
   renewal.poses.clear();
@@ -133,10 +108,19 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
   // The audit rebuilds the corners of blocks that move from these poses.
   for (const KeptPose& pose : renewal.poses)
     if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&
-        !has_corners_of_pose(blocks, pose.block))
+        !has_corners_of(blocks, pose))
       return expire(p);
   renewal.next_check = 0.0;
-  next_check[p] = bounds.most + growth_left(blocks, parts, index, p);
+  next_check[p] = bounds.most + growth_left(blocks, parts, index.pairs[p], p);
+}
+
+double Decisions::motion_since(const Blocks& blocks, const NearPair& pair,
+                               const PairPose& then) const {
+  const auto [low, high] = pair;
+  const Vec2 apart = blocks.centroid.col(high) - blocks.centroid.col(low);
+  return 1.0000001 * (apart - then.apart).norm() +
+         bounds.turn(blocks, low, then.low.data()) +
+         bounds.turn(blocks, high, then.high.data());
 }
 
 double Decisions::motion_since(const Blocks& blocks,
@@ -182,55 +166,31 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
 }
 
 double Decisions::growth_left(const Blocks& blocks, const BlockParts& parts,
-                              const PairIndex& index, int p) {
-  if (!renewals[p].empty()) {
-    Renewal& renewal = renewals[p];
-    const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
-    if (!(to_limits > 0.0))
-      return 0.0;
-    if (!(bounds.most < renewal.next_check)) {
-      const double left = limits[p].two - motion_since(blocks, renewal.poses);
-      renewal.next_check = bounds.most + growth_until({left, left});
-    }
-    // Corners are rounded in each step. At a distance below that, every step checks.
-    const auto [low, high] = index.pairs[p];
-    const double rounding =
-        0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
-                   blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
-    return std::min(std::max(growth_until({to_limits - rounding, infinite}),
-                             std::numeric_limits<double>::min()),
-                    renewal.next_check - bounds.most);
+                              const NearPair& pair, int p) {
+  Renewal& renewal = renewals[p];
+  const auto [low, high] = pair;
+  if (renewal.empty()) {
+    const Room& room = rooms[p];
+    return std::min((room.motion - motion_since(blocks, pair, room.then)) /
+                        motion_per_growth,
+                    room.until - bounds.most);
   }
-  const bool neighbours = limits[p].neighbours < infinite;
-  const PairMotion now = motion_of(blocks, index, p, neighbours);
-  return growth_until({limits[p].two - now.two, limits[p].neighbours - now.neighbours});
-}
-
-bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
-                     const PairMotion& room) {
-  renewals[p].clear();
-  // A motion from now on is at most the sum of the motions of the phase until now and
-  // until then. So the limits are the rooms less the motions until now.
-  const PairMotion now = motion_of(blocks, index, p, room.neighbours < infinite);
-  limits[p] = {room.two - now.two, room.neighbours - now.neighbours};
-  next_check[p] = bounds.most + growth_until({limits[p].two - now.two,
-                                              limits[p].neighbours - now.neighbours});
-  return limits[p].two < 0.5 * room.two || limits[p].neighbours < 0.5 * room.neighbours;
-}
-
-void Decisions::carry_over(const Blocks& blocks, const BlockParts& parts,
-                           const PairIndex& index, int begin, int end) {
-  for (int p = begin; p < end; ++p) {
-    if (!renewals[p].empty()) {
-      next_check[p] = growth_left(blocks, parts, index, p);
-      renewals[p].next_check -= bounds.most;
-      continue;
-    }
-    PairMotion& limit = limits[p];
-    const PairMotion now = motion_of(blocks, index, p, limit.neighbours < infinite);
-    limit.two -= now.two, limit.neighbours -= now.neighbours;
-    next_check[p] = growth_until(limit);
+  const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
+  if (!(to_limits > 0.0))
+    return 0.0;
+  if (!(bounds.most < renewal.next_check)) {
+    const double limit =
+        geometry::renewal_of_arm * std::min(bounds.longest[low], bounds.longest[high]);
+    const double left = limit - motion_since(blocks, renewal.poses);
+    renewal.next_check = bounds.most + left / motion_per_growth;
   }
+  // Corners are rounded in each step. At a distance below that, every step checks.
+  const double rounding =
+      0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
+                 blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
+  return std::min(std::max((to_limits - rounding) / motion_per_growth,
+                           std::numeric_limits<double>::min()),
+                  renewal.next_check - bounds.most);
 }
 
 }  // namespace blocks::dynamics
