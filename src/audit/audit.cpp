@@ -80,8 +80,10 @@ class Auditor {
     if (by_program == exact)
       return;
     if (const auto by_kept = kept_.contacts(pair, by_program, rule_);
-        by_kept && by_program == held_.expected(pair, *by_kept, by_program, rule_))
+        by_kept && by_program == held_.expected(pair, *by_kept, by_program, rule_)) {
+      ++found_.late;
       return;
+    }
     found_.wrong.push_back(
         {pair.first, pair.second, std::move(by_program), std::move(exact)});
   }

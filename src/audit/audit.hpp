@@ -49,6 +49,7 @@ struct Findings {
   long acting = 0;                ///< acting contacts
   std::vector<BlockPair> missed;  ///< pairs that the list lacks
   std::vector<WrongPair> wrong;
+  long late = 0;  ///< pairs whose kept decision was exact when it was made, but not now
   std::vector<ExcessOverlap> excess;  ///< the worst first
   /// The worst of all pairs, even if it is no finding. If there is none, excess() is 0.
   ExcessOverlap worst;

@@ -39,6 +39,7 @@ struct AuditTotals {
   long acting = 0;   ///< active contacts
   long missed = 0;   ///< pairs of blocks missing from the list
   long wrong = 0;    ///< pairs of blocks whose contacts differed from the exact ones
+  long late = 0;     ///< pairs of blocks whose kept decision is no longer the exact one
   AuditedOverlap worst;  ///< of all pairs, even if no finding; excess() 0: none
   std::vector<AuditedOverlap> excess;  ///< findings, one per pair, the worst first
   AuditedContact deepest;              ///< even if no finding; excess() 0: none

@@ -151,6 +151,7 @@ Json audit(const std::optional<AuditTotals>& totals) {
       {"acting", totals->acting},
       {"missed_pairs", totals->missed},
       {"wrong_decisions", totals->wrong},
+      {"late_decisions", totals->late},
       {"excess_pairs", totals->excess.size()},
       {"worst_excess", totals->worst.excess() > 0.0 ? audited(totals->worst) : Json()},
       {"deep_contacts", totals->deep.size()},

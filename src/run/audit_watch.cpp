@@ -38,6 +38,7 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
   totals_.pairs += found.pairs, totals_.acting += found.acting;
   totals_.missed += static_cast<long>(found.missed.size());
   totals_.wrong += static_cast<long>(found.wrong.size());
+  totals_.late += found.late;
 
   Verdict verdict;
   const auto fault = [&](const std::string& text, int first, int second) {
@@ -111,13 +112,14 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
 std::string AuditWatch::closing() const {
   return fmt::format(
       "audit every {}: {}, {} of blocks near each other, {}; pairs missed: {}; wrong "
-      "decisions: {}; pairs of blocks that overlap "
+      "decisions: {}; kept decisions that would differ now: {}; pairs of blocks that "
+      "overlap "
       "more than their contacts explain: {} (worst {:.3g}); contacts deeper than the "
       "overlap of their blocks: {} (worst {:.3g})",
       counted(totals_.every, "step"), counted(totals_.moments, "audit"),
       counted(totals_.pairs, "pair"), counted(totals_.acting, "acting contact"),
-      totals_.missed, totals_.wrong, totals_.excess.size(), totals_.worst.excess(),
-      totals_.deep.size(), totals_.deepest.excess());
+      totals_.missed, totals_.wrong, totals_.late, totals_.excess.size(),
+      totals_.worst.excess(), totals_.deep.size(), totals_.deepest.excess());
 }
 
 }  // namespace blocks::run

@@ -46,6 +46,20 @@ TEST(RunAudit, WritesTheSameListingIfTheRunIsResumed) {
   EXPECT_EQ(listing, slurp(folder / "audited.out"));
 }
 
+// In cut rock some decisions are kept although they would differ now.
+TEST(RunAudit, CountsLateDecisions) {
+  const TemporaryFolder folder;
+  const Outcome run = blocks("run '" BLOCKS_SOURCE_DIR "/decks/slope/slope.deck' "
+                             "--set MOTION.dt=0.3 --audit=50",
+                             folder.path());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto audit = summary(folder, "slope")["audit"];
+  EXPECT_EQ(audit["wrong_decisions"], 0);
+  EXPECT_GT(audit["late_decisions"].get<long>(), 0);
+  EXPECT_LT(audit["late_decisions"].get<long>(), audit["pairs"].get<long>() / 20);
+  EXPECT_THAT(run.out + run.err, HasSubstr("kept decisions that would differ now: "));
+}
+
 TEST(RunAudit, FindsNoFaultInTheCraterDeck) {
   const TemporaryFolder folder;
   const Outcome run = blocks("run '" BLOCKS_SOURCE_DIR "/decks/crater/crater.deck' "
