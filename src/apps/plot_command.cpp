@@ -326,7 +326,9 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_option("--mirror", options.mirror,
                      "also draw the other half, mirrored about this x");
   command
-      .add_option("--zoom", options.zoom, "draw only this part: xmin xmax ymin ymax")
+      .add_option("--zoom", options.zoom,
+                  "draw only this part: xmin xmax ymin ymax; arrows that leave it end "
+                  "at its frame with an open head")
       ->expected(4)
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "post/arrows.hpp"
 #include "post/axes.hpp"
 #include "post/bond_sides.hpp"
 #include "post/crack_faces.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "post/arrows.hpp"
 #include "post/counted.hpp"
 #include "post/figure_legend.hpp"
 #include "post/quantity.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/arrows.hpp"
 #include "post/bond_sides.hpp"
 #include "post/crack_faces.hpp"
 #include "post/families.hpp"
@@ -39,24 +40,22 @@ class SceneDrawing {
       if (mirrored && !options_.mirror)
         continue;
       mirrored_ = mirrored;
+      const auto plane = mirrored ? std::optional(options_.mirror_x) : std::nullopt;
       if (options_.original)
         original();
       for (std::size_t b = 0; b < now_.outlines.size(); ++b)
         if (in_view(now_.outlines[b]))
           block(b);
       if (options_.shows_joints())
-        draw_joint_sides(pen_, axes_, now_, scales_,
-                         mirrored ? std::optional(options_.mirror_x) : std::nullopt);
+        draw_joint_sides(pen_, axes_, now_, scales_, plane);
       if (options_.shows_bonds())
-        draw_bond_sides(pen_, axes_, picture_, scales_,
-                        mirrored ? std::optional(options_.mirror_x) : std::nullopt);
+        draw_bond_sides(pen_, axes_, picture_, scales_, plane);
       if (options_.shows_cracks() && picture_.cracked != nullptr)
-        draw_crack_faces(pen_, axes_, now_, *picture_.cracked, scales_,
-                         mirrored ? std::optional(options_.mirror_x) : std::nullopt);
+        draw_crack_faces(pen_, axes_, now_, *picture_.cracked, scales_, plane);
       if (options_.forces)
         forces();
       if (!options_.arrows.empty())
-        arrows();
+        draw_arrows(pen_, axes_, picture_, scales_, options_, plane);
       if (!mirrored)
         numbers();
     }
@@ -163,21 +162,6 @@ class SceneDrawing {
         pen_.stroke(width + std::min(1.4, 0.3 + 0.7 * width), rim_of_line(line));
       else
         pen_.stroke(width, line);
-    }
-  }
-
-  void arrows() {
-    if (!(scales_.arrow > 0.0))
-      return;
-    const Eigen::Matrix2Xd vectors = arrow_vectors(options_.arrows, picture_);
-    const double full = arrow_length(axes_, scales_), factor = full / scales_.arrow;
-    for (int b = 0; b < now_.size(); ++b) {
-      Eigen::Vector2d d = factor * vectors.col(b);
-      if (scales_.cuts_arrows && d.norm() > full)
-        d *= full / d.norm();
-      if (d.norm() >= 1.5)
-        draw_arrow(pen_, page_x(now_.centroid(0, b)), axes_.y(now_.centroid(1, b)),
-                   mirrored_ ? -d.x() : d.x(), -d.y());
     }
   }
 
@@ -307,35 +291,6 @@ void hatch(Pen& pen, const Colour& ground) {
   cairo_restore(cairo);
   cairo_append_path(cairo, outline);
   cairo_path_destroy(outline);
-}
-
-void draw_arrow(Pen& pen, double x, double y, double dx, double dy) {
-  cairo_t* cairo = pen.cairo();
-  const double length = std::hypot(dx, dy), head = std::min(0.4 * length, 9.0);
-  const double ux = dx / length, uy = dy / length;
-  const double tip_x = x + dx, tip_y = y + dy;
-  const double base_x = tip_x - head * ux, base_y = tip_y - head * uy;
-  const auto trace = [&] {
-    cairo_move_to(cairo, x, y);
-    cairo_line_to(cairo, base_x, base_y);
-  };
-  const auto trace_head = [&] {
-    cairo_move_to(cairo, tip_x, tip_y);
-    cairo_line_to(cairo, base_x - 0.42 * head * uy, base_y + 0.42 * head * ux);
-    cairo_line_to(cairo, base_x + 0.42 * head * uy, base_y - 0.42 * head * ux);
-    cairo_close_path(cairo);
-  };
-  trace(), trace_head();
-  pen.stroke(3.2, white, 0.75);  // visible on dark blocks too
-  trace();
-  pen.stroke(1.3, ink);
-  trace_head();
-  pen.colour(ink);
-  cairo_fill(cairo);
-}
-
-double arrow_length(const Axes& axes, const FigureScales& scales) {
-  return std::clamp(1.8 * scales.block_size * axes.scale(), 24.0, 90.0);
 }
 
 Colour colour_of_material(int material, const FigureOptions& options) {

@@ -1,4 +1,4 @@
-// Draws the model inside the axes of a figure: blocks, forces, arrows and marks.
+// Draws the model inside the axes of a figure: blocks and all that lies on them.
 #pragma once
 
 #include "post/axes.hpp"
@@ -13,12 +13,6 @@ void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
 /// Hatches the current path, and keeps it, to show a fixed block. The lines are light
 /// on a dark background.
 void hatch(Pen& pen, const Colour& ground);
-
-/// Draws an arrow from (x, y) on the page.
-void draw_arrow(Pen& pen, double x, double y, double dx, double dy);
-
-/// Returns the length of the arrow for the reference vector [page units].
-double arrow_length(const Axes& axes, const FigureScales& scales);
 
 Colour colour_of_material(int material, const FigureOptions& options);
 

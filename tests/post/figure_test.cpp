@@ -25,8 +25,11 @@
 namespace blocks::post {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
+using ::testing::Gt;
 using ::testing::HasSubstr;
+using ::testing::Lt;
 using ::testing::Not;
 
 /// Returns two unit squares side by side, of materials 1 and 2. The second one is
@@ -206,6 +209,33 @@ TEST(Figure, TakesAScaleOfArrowsFromTheOptions) {
   const Folder folder;
   draw_frame(folder.file("a.svg"), frame, frame, "two squares", options);
   EXPECT_THAT(content(folder.file("a.svg")), HasSubstr("≥ 0.02 "));
+}
+
+// Zoom cut arrows anywhere, so that some had no head.
+TEST(Figure, AnArrowThatLeavesThePictureEndsAtItsFrameWithAnOpenHead) {
+  const Folder folder;
+  const std::string path = folder.file("arrow.png");
+  Frame frame = two_squares();
+  frame.fixed = {0, 0};
+  frame.velocity << 1, 0, 0, 0;
+  FigureOptions options;
+  options.arrows = "velocity";
+  options.zoom = Eigen::Vector4d(0.1, 0.52, 0.3, 0.72);  // the block goes on beyond it
+  draw_frame(path, frame, frame, "two squares", options);
+  cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
+  ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
+  const Axes axes(*options.zoom, 84, 78, 966);
+  const auto colour_at = [&](double x) {
+    const unsigned char* pixel =
+        cairo_image_surface_get_data(image) +
+        static_cast<int>(axes.y(0.5)) * cairo_image_surface_get_stride(image) +
+        4 * static_cast<int>(x);
+    return std::array<int, 3>{pixel[2], pixel[1], pixel[0]};
+  };
+  constexpr double to_frame = 2, head = 9;
+  EXPECT_THAT(colour_at(axes.right() - to_frame - 0.6 * head), Each(Gt(240)));
+  EXPECT_THAT(colour_at(axes.right() - to_frame - 2.0 * head), Each(Lt(130)));
+  cairo_surface_destroy(image);
 }
 
 TEST(Figure, SaysWhichEndsOfTheRangeCutValues) {
