@@ -46,7 +46,7 @@ function visible_blocks() {
 /// Returns the width of outlines on the page; they are thin on small blocks.
 const edge_width = () => Math.min(1, typical_size() * state.view.scale / 24);
 
-/// Draws the blocks with hatching and outlines, and the contact forces.
+/// Draws the blocks with hatching and outlines, contact forces and arrows.
 function draw_fine(f, visible, halves) {
   const groups = halves.flatMap((half) =>
     [...shades(f, visible, half)].map(([shade, group]) => ({shade, group, half})));
@@ -64,6 +64,7 @@ function draw_fine(f, visible, halves) {
   if (state.colour === "bond") draw_bonds(halves);
   if (state.cracks) draw_cracks(f, visible, halves);
   if (state.forces) draw_forces(f, halves);
+  if (state.arrows) draw_arrows(f, visible, halves);
 }
 
 /// Draws what is on top of blocks and forces.

@@ -63,6 +63,8 @@ for (const id of ["low", "high"]) $(id).onchange = type_range;
 $("automatic").onclick = automatic;
 for (const name of ["reversed", "original", "forces", "cracks", "labels", "mirror"])
   $(name).onchange = (event) => turn(name, event.target.checked);
+$("arrows").onchange = (event) => choose_arrows(event.target.value);
+$("full_arrow").onchange = type_full_arrow;
 $("fit").onclick = fit;
 $("theme").onclick = other_theme;
 /// Returns the block whose number is in a field, or -1.

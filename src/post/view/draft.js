@@ -39,6 +39,7 @@ function draw_draft(f, visible, halves) {
   pen.putImageData(picture, 0, 0);
   for (const half of halves) hatch_fixed(f, visible, half);
   if (state.cracks) draw_cracks(f, visible, halves);
+  if (state.arrows) draw_arrows(f, visible, halves);
 }
 
 /// Draws contact forces: lines of one pixel with a rim of one pixel on both sides.

@@ -16,6 +16,7 @@ const commands = [
   {name: "O C N M", help: "first state, contact forces, block numbers, mirror", keys: {
     o: () => toggle("original"), c: () => toggle("forces"), n: () => toggle("labels"),
     m: () => meta.mirror !== null && toggle("mirror")}},
+  {name: "V", help: "next arrows", keys: {v: () => next_arrows()}},
   ...(meta.cracks ? [{name: "G", help: "the faces of cracks", keys: {g: () => toggle("cracks")}}] : []),
   {name: "T", help: "light or dark", keys: {t: () => other_theme()}},
   {title: "Blocks"},

@@ -15,7 +15,7 @@ function draw_colours() {
   else parts.forEach((part, i) => put_part(key_pen, part, i * (width + part_gap), 0, width));
 }
 
-/// Returns the parts of the legend: lists of swatches, and colour bars.
+/// Returns the parts of the legend: lists of swatches, colour bars, an arrow.
 function legend_parts(wide) {
   const parts = [], bar = wide ? 190 : 60, ticks = wide ? 5 : 2;
   if (state.colour === "material")
@@ -40,6 +40,7 @@ function legend_parts(wide) {
       ...label_ticks(0, high, wide ? 4 : 2, "contact force", meta.force_unit), low: 0, high, bar: wide ? 110 : 60,
       colours: meta.intensity, is_cut: [false, high < meta.largest_force], marks: []});
   }
+  if (state.arrows && full_arrow() > 0) parts.push(arrow_legend());
   const others = state.picked.map((b, i) => ({name: `block ${b + 1}`, ring: mark_colour(i)}));
   if (data.fixed.some((is) => is === 1)) others.push({name: "fixed", hatched: true});
   if (state.cracks && data.crack && state.colour !== "bond")
@@ -62,7 +63,7 @@ function lines_of(p, text = "", width) {
 const line_height = 16, part_gap = 14;
 const columns_of = ({swatches}) => swatches.length > 12 ? 3 : 1;
 const part_height = (p, part, width) => line_height * lines_of(p, part.title, width).length
-  + (part.bar ? part.bar + 24 : line_height * Math.ceil(part.swatches.length / columns_of(part)) + 4);
+  + (part.bar ? part.bar + 24 : part.arrow ? 2 * line_height : line_height * Math.ceil(part.swatches.length / columns_of(part)) + 4);
 const legend_height = (p, parts, width) =>
   parts.reduce((sum, part) => sum + part_height(p, part, width) + part_gap, 0);
 
@@ -76,7 +77,9 @@ function put_part(p, part, x, y, width) {
   const lines = lines_of(p, part.title, width);
   p.fillStyle = style("--ink"); p.textAlign = "left"; p.textBaseline = "middle";
   for (const line of lines) { p.fillText(line, x, y + line_height / 2); y += line_height; }
-  part.bar ? put_bar(p, part, x, y + 12) : put_swatches(p, part, x, y + 2, width);
+  if (part.bar) put_bar(p, part, x, y + 12);
+  else if (part.arrow) put_arrow_part(p, part, x, y + 2);
+  else put_swatches(p, part, x, y + 2, width);
 }
 
 function put_swatches(p, part, x, y, width) {

@@ -16,6 +16,7 @@ const state = {
   picked: [],  // at most two blocks
   side: -1,  // the picked side of the first of them, from 0; -1: none
   original: false, forces: false, cracks: meta.cracks !== undefined, labels: false, mirror: meta.mirror !== null,
+  arrows: "", full_arrows: {},  // no arrows; typed values of arrows of full length, by kind
   crosshair: false,  // a cursor in the middle of the view, for use with the keyboard
 };
 
