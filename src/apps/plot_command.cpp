@@ -150,7 +150,7 @@ void check_combinations(const PlotOptions& options) {
          "--sheet is for a figure; limit a movie with --from, --to and --every");
   refuse(options.mirror && !std::isfinite(*options.mirror),
          "--mirror needs the x of the symmetry plane of a half model");
-  const bool by_material = !options.figure.shows_quantity();
+  const bool by_material = !options.figure.shows_values();
   for (const double end : options.range)
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(
@@ -169,8 +169,8 @@ void check_combinations(const PlotOptions& options) {
   if (!options.figure.colour_map.empty())
     post::colour_map(options.figure.colour_map);  // throws for an unknown name
   refuse(!options.materials.empty() &&
-             (!by_material || options.figure.shows_families()),
-         "--materials is for --colour material, joint or bond");
+             (options.figure.shows_quantity() || options.figure.shows_families()),
+         "--materials is for --colour material, or a colour of the sides of blocks");
 }
 
 /// Reads colours such as "1=RED". Throws std::runtime_error that lists the possible
@@ -230,7 +230,8 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
   }
-  for (const char* name : {"material", "family", "joint", "bond"})
+  for (const char* name :
+       {"material", "family", "joint", "bond", "opening", "shear_displacement"})
     if (deck::capitals(figure.colour) == deck::capitals(name))
       figure.colour = name;
   figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
@@ -281,7 +282,10 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
           "--colour,--color", figure.colour,
           "material, family (pieces by the block from which they come), joint (the "
           "sides of blocks by joint id), bond (the faces "
-          "with the law of a joint: bonded, or failed and how far they slipped), " +
+          "with the law of a joint: bonded, or failed and how far they slipped), "
+          "opening "
+          "or shear_displacement (the faces that were closed at first, by their motion "
+          "since), " +
               quantities::block_quantity_names())
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,

@@ -26,7 +26,8 @@ struct FigureOptions {
   PageSize page;
   /// "material", "family" (pieces by the block from which they come), "joint" (the
   /// sides of blocks by joint id), "bond" (the faces of blocks by the state of their
-  /// bond), or a name of quantity.hpp
+  /// bond), "opening" or "shear_displacement" (the faces by their motion), or a name of
+  /// quantity.hpp
   std::string colour = "material";
   std::string colour_map;  ///< a name of colour_map.hpp; empty: automatic
   std::optional<Eigen::Vector2d>
@@ -55,13 +56,18 @@ struct FigureOptions {
   bool shows_families() const { return colour == "family"; }
   bool shows_joints() const { return colour == "joint"; }
   bool shows_bonds() const { return colour == "bond"; }
+  bool shows_faces() const {
+    return colour == "opening" || colour == "shear_displacement";
+  }
   /// True if the sides of blocks have colours, and blocks those of their materials.
-  bool shows_sides() const { return shows_joints() || shows_bonds(); }
+  bool shows_sides() const { return shows_joints() || shows_bonds() || shows_faces(); }
   bool shows_cracks() const { return cracks && !shows_sides(); }
   /// True if the colours of blocks are those of a quantity, not of their materials.
   bool shows_quantity() const {
     return colour != "material" && !shows_sides() && !shows_families();
   }
+  /// True if colours show the values of a quantity, of blocks or of faces.
+  bool shows_values() const { return shows_quantity() || shows_faces(); }
 };
 
 /// Draws frames to a PNG, SVG or PDF file, depending on the extension. Several frames

@@ -11,6 +11,7 @@
 #include "post/axes.hpp"
 #include "post/bond_sides.hpp"
 #include "post/crack_faces.hpp"
+#include "post/face_sides.hpp"
 #include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 #include "post/scene_drawing.hpp"
@@ -38,7 +39,7 @@ bool with_forces(const FigureScales& scales, const FigureOptions& options) {
   return options.forces && scales.force > 0.0;
 }
 int bars(const FigureScales& scales, const FigureOptions& options) {
-  return (by_material(options) ? 0 : 1) + (with_forces(scales, options) ? 1 : 0) +
+  return (options.shows_values() ? 1 : 0) + (with_forces(scales, options) ? 1 : 0) +
          (scales.slip > 0.0 ? 1 : 0);
 }
 std::size_t columns_of(double width) {
@@ -84,9 +85,11 @@ class Legend {
     const double room = place_.top + place_.height - y_;
     const double each =
         std::clamp(room / std::max(1, bars(scales_, options_)), least_bar, most_bar);
-    if (!by_material(options_)) {
-      const Quantity shown =
-          quantity(options_.colour, picture_.now, picture_.first, picture_.contacts);
+    if (options_.shows_values()) {
+      const Quantity shown = options_.shows_faces()
+                                 ? face_quantity(options_.colour)
+                                 : quantity(options_.colour, picture_.now,
+                                            picture_.first, picture_.contacts);
       const ColourMap map = map_of(options_, shown.zero, scales_.colours);
       if (scales_.is_zero)
         zero(shown.label, shown.dimension, each, map.at(scales_.colours.place(0.0)));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "post/bond_sides.hpp"
+#include "post/face_sides.hpp"
 #include "post/families.hpp"
 #include "post/force_network.hpp"
 #include "post/joint_faces.hpp"
@@ -77,18 +78,24 @@ void ScaleSurvey::include(const Picture& picture) {
       bonds_.insert(part.bond);
       slip_ = std::max(slip_, part.slip);
     }
+  const auto include_values = [&](const Eigen::VectorXd& values) {
+    for (const double value : values)
+      if (std::isfinite(value)) {
+        least_ = std::min(least_, value);
+        most_ = std::max(most_, value);
+      }
+  };
+  if (options_.shows_faces()) {
+    centred_ = map_of(options_, Zero::middle).diverging;
+    for (const FaceMotion& motion : face_motions(now, picture.first, picture.cracked))
+      for (int mirrored = 0; mirrored <= (options_.mirror ? 1 : 0); ++mirrored)
+        include_values(face_values(options_.colour, motion, mirrored == 1));
+  }
   if (options_.shows_quantity()) {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
     logarithmic_ = shown.logarithmic;
     centred_ = map_of(options_, shown.zero).diverging;
-    const auto include_values = [&](const Eigen::VectorXd& values) {
-      for (const double value : values)
-        if (std::isfinite(value)) {
-          least_ = std::min(least_, value);
-          most_ = std::max(most_, value);
-        }
-    };
     include_values(shown.values);
     if (options_.mirror)
       include_values(in_mirror(options_.colour, shown.values, options_.mirror_x));
@@ -170,6 +177,8 @@ FigureScales ScaleSurvey::scales() const {
     throw std::runtime_error(no_joints_text());
   if (options_.shows_bonds() && bonds_.empty())
     throw std::runtime_error(no_laws_text());
+  if (options_.shows_faces() && least_ > most_)
+    throw std::runtime_error(no_faces_text());
   if (options_.shows_families() && materials_ == std::set<int>{0})
     throw std::runtime_error("no block has split at the times drawn\n  hint: blocks "
                              "split if their material has a CRACK card");

@@ -116,7 +116,8 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
     return {kind->label, kind->dimension, values, Zero::lowest};
   }
   throw std::runtime_error("there is no quantity '" + name +
-                           "': choose material, family, joint, bond, " +
+                           "': choose material, family, joint, bond, opening, "
+                           "shear_displacement, " +
                            quantities::block_quantity_names());
 }
 

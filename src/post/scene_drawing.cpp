@@ -6,6 +6,7 @@
 #include "post/arrows.hpp"
 #include "post/bond_sides.hpp"
 #include "post/crack_faces.hpp"
+#include "post/face_sides.hpp"
 #include "post/families.hpp"
 #include "post/force_network.hpp"
 #include "post/joint_sides.hpp"
@@ -50,6 +51,8 @@ class SceneDrawing {
         draw_joint_sides(pen_, axes_, now_, scales_, plane);
       if (options_.shows_bonds())
         draw_bond_sides(pen_, axes_, picture_, scales_, plane);
+      if (options_.shows_faces())
+        draw_face_sides(pen_, axes_, picture_, scales_, options_, plane);
       if (options_.shows_cracks() && picture_.cracked != nullptr)
         draw_crack_faces(pen_, axes_, now_, *picture_.cracked, scales_, plane);
       if (options_.forces)

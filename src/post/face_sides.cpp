@@ -1,0 +1,82 @@
+#include "post/face_sides.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace blocks::post {
+
+Quantity face_quantity(const std::string& name) {
+  const bool is_opening = name == "opening";
+  return {is_opening ? "opening" : "shear displacement, dextral positive",
+          {1, 0, 0, "m", ""},
+          {},
+          Zero::middle};
+}
+
+Eigen::Vector2d face_values(const std::string& name, const FaceMotion& motion,
+                            bool mirrored) {
+  if (name == "opening")
+    return motion.opening;
+  return mirrored ? Eigen::Vector2d(-motion.shear) : motion.shear;
+}
+
+void draw_face_sides(Pen& pen, const Axes& axes, const Picture& picture,
+                     const FigureScales& scales, const FigureOptions& options,
+                     const std::optional<double>& mirror_x) {
+  constexpr double share_of_block = 0.1, thinnest = 2.2, widest = 5.0, margin = 5.0;
+  const double width =
+      std::clamp(share_of_block * scales.block_size * axes.scale(), thinnest, widest);
+  cairo_t* cairo = pen.cairo();
+  const auto on_page = [&](const Eigen::Vector2d& p) {
+    return Eigen::Vector2d(axes.x(mirror_x ? 2.0 * *mirror_x - p.x() : p.x()),
+                           axes.y(p.y()));
+  };
+  const auto trace = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
+    if (high.x() < axes.left - margin || low.x() > axes.right() + margin ||
+        high.y() < axes.top - margin || low.y() > axes.bottom() + margin)
+      return false;
+    cairo_move_to(cairo, a.x(), a.y());
+    cairo_line_to(cairo, b.x(), b.y());
+    return true;
+  };
+  const ColourMap map = map_of(options, Zero::middle, scales.colours);
+  std::vector<std::pair<Eigen::Vector2d, FaceMotion>> faces;
+  for (const FaceMotion& motion :
+       face_motions(picture.now, picture.first, picture.cracked))
+    faces.emplace_back(face_values(options.colour, motion, mirror_x.has_value()),
+                       motion);
+  std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) {
+    return a.first.cwiseAbs().maxCoeff() < b.first.cwiseAbs().maxCoeff();
+  });
+  cairo_set_line_width(cairo, width);
+  for (const auto& [values, motion] : faces)
+    for (const auto& ends : {motion.own, motion.other}) {
+      const Eigen::Vector2d a = on_page(ends[0]), b = on_page(ends[1]);
+      if (!trace(a, b))
+        continue;
+      cairo_pattern_t* shades = cairo_pattern_create_linear(a.x(), a.y(), b.x(), b.y());
+      constexpr int steps = 8;
+      for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        const Colour c =
+            map.at(scales.colours.place(values[0] + part * (values[1] - values[0])));
+        cairo_pattern_add_color_stop_rgb(shades, part, c.r, c.g, c.b);
+      }
+      cairo_set_source(cairo, shades);
+      cairo_stroke(cairo);
+      cairo_pattern_destroy(shades);
+    }
+  for (const auto& outline : picture.now.outlines) {
+    for (std::size_t k = 0; k < outline.size(); ++k)
+      trace(on_page(outline[k]), on_page(outline[(k + 1) % outline.size()]));
+    pen.stroke(std::min(0.15 * width, 0.6), muted);
+  }
+}
+
+std::string no_faces_text() {
+  return "no two blocks have a common face at the times drawn\n  hint: these are faces "
+         "that are closed in the first frame of the results";
+}
+
+}  // namespace blocks::post
