@@ -11,9 +11,11 @@
 #include "post/colour_map.hpp"
 #include "post/crack_faces.hpp"
 #include "post/crack_tracker.hpp"
+#include "post/face_sides.hpp"
 #include "post/families.hpp"
 #include "post/quantity.hpp"
 #include "post/view_bonds.hpp"
+#include "post/view_faces.hpp"
 #include "post/view_forces.hpp"
 #include "post/view_numbers.hpp"
 #include "post/view_quantities.hpp"
@@ -53,6 +55,8 @@ class Packer {
     forces_.store(store, shapes_.corners());
     if (bonds_.any())
       bonds_.store(store);
+    if (faces_.any())
+      faces_.store(store);
     PackedText packed = store.packed();
     return {meta(store, packed.bytes), std::move(packed.text)};
   }
@@ -80,6 +84,7 @@ class Packer {
     shapes_.add_frame(now, cracked);
     forces_.add_frame(contacts, shapes_, results_.path());
     bonds_.add_frame(contacts, shapes_);
+    faces_.add_frame(now, cracked, shapes_);
   }
 
   /// Returns 0 for a free block, 1 for a fixed one, 2 for a removed one.
@@ -181,17 +186,20 @@ class Packer {
     return list;
   }
 
+  /// Describes a quantity of blocks or of faces.
+  Json note_of(const std::string& name, const Quantity& kind, bool odd) const {
+    return {{"name", name},
+            {"label", kind.label},
+            {"unit", unit_text(kind.dimension, results_.units())},
+            {"map", usual_colour_map(kind.zero)},
+            {"odd", odd}};
+  }
+
   std::string meta(const ViewStore& store, std::size_t packed) const {
     const std::optional<Units>& units = results_.units();
     Json quantities = Json::array();
-    for (const std::string& name : names_) {
-      const Quantity kind = quantity(name, last_, last_);
-      quantities.push_back({{"name", name},
-                            {"label", kind.label},
-                            {"unit", unit_text(kind.dimension, units)},
-                            {"map", usual_colour_map(kind.zero)},
-                            {"odd", is_odd(name)}});
-    }
+    for (const std::string& name : names_)
+      quantities.push_back(note_of(name, quantity(name, last_, last_), is_odd(name)));
     Json materials = Json::object();
     for (const int material : last_.material)
       materials[std::to_string(material)] = css(material_colour(material));
@@ -233,6 +241,10 @@ class Packer {
       json["family_colours"] = family_colours();
       json["stress_unit"] = unit_text({-1, 1, -2, "Pa", ""}, units);
     }
+    if (faces_.any())
+      for (const std::string name : {"opening", "shear_displacement"})
+        json["face_quantities"].push_back(
+            note_of(name, face_quantity(name), name != "opening"));
     if (bonds_.any()) {
       json["largest_slip"] = bonds_.largest_slip();
       json["slip_colours"] = colours_of({slip_colour});
@@ -253,6 +265,7 @@ class Packer {
   std::vector<unsigned char> fixed_;
   ViewForces forces_;
   ViewBonds bonds_;
+  ViewFaces faces_;
   std::vector<double> times_, energy_;
   std::vector<long> steps_;
   std::vector<long> crack_counts_;  ///< up to each frame

@@ -70,7 +70,7 @@ def check(page, program, source, folder):
     assert page.evaluate("face_parts().length") == 8
     page.evaluate("next_colour(1)")
     page.drawn()
-    assert page.evaluate("state.colour") == "displacement"
+    assert page.evaluate("state.colour") == "opening"
     assert not page.faults(), page.faults()
 
     results = run(program, source / "decks/bounce/bounce.deck", folder)

@@ -62,6 +62,7 @@ function draw_fine(f, visible, halves) {
     in_parts(group, half, () => pen.stroke());
   }
   if (state.colour === "bond") draw_bonds(halves);
+  if (shows_faces()) draw_faces(f, visible, halves);
   if (state.cracks) draw_cracks(f, visible, halves);
   if (state.forces) draw_forces(f, halves);
   if (state.arrows) draw_arrows(f, visible, halves);

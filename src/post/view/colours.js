@@ -35,7 +35,7 @@ function colours_of(q, [low, high]) {
 function shades_at(f, half) {
   if (state.colour === "material") return (b) => meta.materials[meta.material[b]];
   if (state.colour === "family") return (b) => meta.family_colours[family_of(b, f)];
-  if (state.colour === "bond") return (b) => mixed(meta.materials[meta.material[b]], 1, 0.3);
+  if (shows_sides()) return (b) => mixed(meta.materials[meta.material[b]], 1, 0.3);
   const q = quantity(state.colour), [low, high] = colour_range(q), colours = colours_of(q, [low, high]);
   const last = colours.length - 1, seen = half === corners ? (v) => v : (v) => in_mirror(q, v);
   return (b) => {
@@ -69,7 +69,7 @@ const is_dark = (shade) => luminance(shade) < 0.179;
 const mixed = (shade, other, share) => hex(channels(shade).map((part) => share * part + (1 - share) * other));
 const strong_outline = remembered((ground) => is_dark(ground) ? mixed(ground, 1, 0.4) : mixed(ground, 0, 0.3));
 const faint_outline = remembered((ground) => is_dark(ground) ? mixed(ground, 1, 0.7) : mixed(ground, 0, 0.65));
-/// Returns the colour of an outline on a ground; it is faint under contact forces and bonds.
-const outline_on = (ground) => state.forces || state.colour === "bond" ? faint_outline(ground) : strong_outline(ground);
+/// Returns the colour of an outline on a ground; it is faint under contact forces and sides.
+const outline_on = (ground) => state.forces || shows_sides() ? faint_outline(ground) : strong_outline(ground);
 /// Returns the colour of the rim of a line, which has a high contrast to the line.
 const rim_of_line = (line) => luminance(line) > 0.2 ? "#29292e" : "#ffffff";

@@ -9,16 +9,17 @@ function colour_by(name) {
 }
 /// The name of the colours of bonds, on pages that show them.
 const bond_colour = () => meta.slip_colours ? ["bond"] : [];
-const colour_names = () => ["material", ...(has_cracks() ? ["family"] : []), ...bond_colour(), ...meta.quantities.map(({name}) => name)];
+const face_colours = () => (meta.face_quantities ?? []).map(({name}) => name);
+const colour_names = () => ["material", ...(has_cracks() ? ["family"] : []), ...bond_colour(), ...face_colours(), ...meta.quantities.map(({name}) => name)];
 const map_names = () => ["", ...Object.keys(meta.maps)];
 const next_in = (list, now, step) => list[(list.indexOf(now) + step + list.length) % list.length];
 const next_colour = (step) => colour_by(next_in(colour_names(), state.colour, step));
 function use_map(name) { state.map = name; show_colour_controls(); redraw(); }
-const next_map = () => quantity(state.colour) && use_map(next_in(map_names(), state.map, 1));
+const next_map = () => colour_quantity() && use_map(next_in(map_names(), state.map, 1));
 
 /// Shows map and range of the colours; an empty end of the range shows its automatic value.
 function show_colour_controls() {
-  const q = quantity(state.colour);
+  const q = colour_quantity();
   $("colour").value = state.colour;
   $("map").value = state.map;
   $("colour_options").hidden = !q;
@@ -34,7 +35,7 @@ function show_colour_controls() {
 }
 /// Takes the typed range, unless it is empty or upside down.
 function type_range() {
-  const q = quantity(state.colour);
+  const q = colour_quantity();
   const typed = ["low", "high"].map((id) => $(id).value === "" ? null : Number($(id).value));
   const [low, high] = automatic_range(q), is_good = (typed[0] ?? low) < (typed[1] ?? high);
   const fault = is_good ? "" : "The range must begin below its end.";

@@ -7,7 +7,7 @@ const cracks_until = (f) => has_cracks() ? meta.cracks.slice(0, meta.crack_count
 
 /// Draws the faces of cracks with a rim, so that they are visible on every colour.
 function draw_cracks(f, visible, halves) {
-  if (!data.crack || state.colour === "bond") return;
+  if (!data.crack || shows_sides()) return;
   const width = Math.max(1.2, Math.min(2.6, 0.05 * typical_size() * state.view.scale)), faces = [];
   for (const b of visible) {
     const first = data.first_corner[shape_of(b, f)], n = data.corners[shape_of(b, f)];

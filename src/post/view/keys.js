@@ -35,7 +35,7 @@ const commands = [
     "[": () => next_colour(-1), "]": () => next_colour(1)}},
   {name: "K", help: "next colour map", keys: {k: () => next_map()}},
   {name: "R A", help: "type the range, automatic range", keys: {
-    r: () => quantity(state.colour) && $("low").focus(), a: () => automatic()}},
+    r: () => colour_quantity() && $("low").focus(), a: () => automatic()}},
   {title: "Save"},
   {name: "P", help: "the picture", keys: {p: () => save_picture()}},
   {name: "S H", help: "the numbers of this frame, the histories", keys: {

@@ -24,7 +24,7 @@ function legend_parts(wide) {
   else if (state.colour === "family") parts.push(family_legend());
   else if (state.colour === "bond") parts.push(...bond_legend(bar, ticks));
   else {
-    const q = quantity(state.colour), [low, high] = colour_range(q), [least, most] = ranges[q.name];
+    const q = colour_quantity(), [low, high] = colour_range(q), [least, most] = ranges[q.name];
     const marks = [...state.picked, hovered.block].filter((b) => b >= 0 && exists(b, state.frame));
     const colours = colours_of(q, [low, high]);
     if (least === 0 && most === 0)
@@ -32,7 +32,7 @@ function legend_parts(wide) {
         {name: "0 everywhere", shade: colours[Math.round(Math.max(0, -low / (high - low)) * (colours.length - 1))]}]});
     else parts.push({
       ...label_ticks(low, high, ticks, q.label, q.unit), low, high, bar, colours,
-      is_cut: [least < low, most > high], marks: marks.map((b) => value(q.name, b, state.frame))});
+      is_cut: [least < low, most > high], marks: shows_faces() ? [] : marks.map((b) => value(q.name, b, state.frame))});
   }
   if (state.forces && meta.largest_force > 0) {
     const high = meta.largest_force * 10 ** (6 * (usual_force() / 255 - 1));
@@ -43,7 +43,7 @@ function legend_parts(wide) {
   if (state.arrows && full_arrow() > 0) parts.push(arrow_legend());
   const others = state.picked.map((b, i) => ({name: `block ${b + 1}`, ring: mark_colour(i)}));
   if (data.fixed.some((is) => is === 1)) others.push({name: "fixed", hatched: true});
-  if (state.cracks && data.crack && state.colour !== "bond")
+  if (state.cracks && data.crack && !shows_sides())
     others.push({name: "crack", shade: meta.crack_colour, line: true, dashes: []});
   if (others.length) parts.push({swatches: others});
   return parts;

@@ -53,6 +53,18 @@ const time_text = () => measured(`t = ${Number(meta.times[state.frame].toPrecisi
 /// The least and the largest value of each quantity over all frames, also of the mirrored blocks.
 let ranges = {};
 function find_ranges() {
+  const across = (q, least, most) => {  // with the mirrored ones
+    const ends = [least, most, ...(meta.mirror !== null ? [in_mirror(q, least), in_mirror(q, most)] : [])];
+    ranges[q.name] = least <= most ? [Math.min(...ends), Math.max(...ends)] : [0, 0];
+  };
+  for (const q of meta.face_quantities ?? []) {
+    let low = Infinity, high = -Infinity;
+    for (const v of data[q.name]) {
+      if (v < low) low = v;
+      if (v > high) high = v;
+    }
+    across(q, low, high);
+  }
   for (const q of meta.quantities) {
     let low = Infinity, high = -Infinity;
     for (let f = 0; f < frames; ++f)
@@ -61,11 +73,7 @@ function find_ranges() {
         if (v < low) low = v;
         if (v > high) high = v;
       }
-    if (meta.mirror !== null) {
-      const ends = [low, high, in_mirror(q, low), in_mirror(q, high)];
-      [low, high] = [Math.min(...ends), Math.max(...ends)];
-    }
-    ranges[q.name] = low <= high ? [low, high] : [0, 0];
+    across(q, low, high);
   }
 }
 /// Returns the value of the mirrored block; odd quantities change their sign.

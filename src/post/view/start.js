@@ -15,7 +15,7 @@ async function begin() {
   $("colour").add(new Option("material", "material"));
   if (has_cracks()) $("colour").add(new Option("pieces by block", "family"));
   if (meta.slip_colours) $("colour").add(new Option("bond of joints", "bond"));
-  for (const q of meta.quantities) $("colour").add(new Option(with_unit(q.label, q.unit), q.name));
+  for (const q of [...(meta.face_quantities ?? []), ...meta.quantities]) $("colour").add(new Option(with_unit(q.label, q.unit), q.name));
   $("map").add(new Option("automatic", ""));
   for (const [name, {diverging}] of Object.entries(meta.maps))
     $("map").add(new Option(diverging ? `${name} (centred on 0)` : name, name));

@@ -1,0 +1,67 @@
+#include "post/view_faces.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace blocks::post {
+namespace {
+
+/// Rounds to four digits, which are more than colours show and need less space. What is
+/// less than a billionth of the length of a face becomes 0.
+double rounded(double value, double length) {
+  if (!(std::abs(value) > 1e-9 * length))
+    return 0.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+  return unit * std::round(value / unit);
+}
+
+}  // namespace
+
+void ViewFaces::add_frame(const Frame& now, const CrackedBlocks& cracked,
+                          const ViewShapes& shapes) {
+  auto& frame = frames_.emplace_back();
+  for (const Face& face : find_faces(cracked.first, cracked.later)) {
+    const auto motion = motion_of(face, now);
+    if (!motion)
+      continue;
+    const auto index = [&](const SidePart& part) {
+      return shapes.corner_index(part.block + 1, static_cast<int>(part.side) + 1);
+    };
+    const std::pair sides(index(face.own), index(face.other));
+    const auto [found, is_new] = faces_.try_emplace(sides, faces_.size());
+    if (is_new) {
+      for (const int side : {sides.first, sides.second})
+        sides_.push_back(static_cast<std::uint32_t>(side));
+      for (const SidePart* part : {&face.own, &face.other})
+        for (const double end : part->ends)
+          parts_.push_back(static_cast<float>(end));
+    }
+    frame.push_back({found->second, *motion});
+  }
+}
+
+void ViewFaces::store(ViewStore& store) const {
+  const std::size_t rows = 2 * faces_.size();
+  DigitColumn opening{rows, {}, {}}, shear = opening;
+  for (const auto& frame : frames_) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> openings(rows, none), shears(rows, none);
+    for (const auto& [face, motion] : frame)
+      for (int end = 0; end < 2; ++end) {
+        const std::size_t row = 2 * face + static_cast<std::size_t>(end);
+        const double length = (motion.own[1] - motion.own[0]).norm();
+        openings[row] = rounded(motion.opening[end], length);
+        shears[row] = rounded(motion.shear[end], length);
+      }
+    for (std::size_t row = 0; row < rows; ++row) {
+      opening.add(openings[row]);
+      shear.add(shears[row]);
+    }
+  }
+  store.add("face_side", "u32", sides_);
+  store.add("face_part", "f32", parts_);
+  store.add_digits("opening", opening);
+  store.add_digits("shear_displacement", shear);
+}
+
+}  // namespace blocks::post

@@ -1,0 +1,39 @@
+// The faces between blocks for the page of `blocks view`, with their opening and shear
+// displacement in all frames.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "post/face_motion.hpp"
+#include "post/view_shapes.hpp"
+#include "post/view_store.hpp"
+
+namespace blocks::post {
+
+class ViewFaces {
+ public:
+  /// Adds the next frame; its shapes must have been added.
+  void add_frame(const Frame& now, const CrackedBlocks& cracked,
+                 const ViewShapes& shapes);
+
+  /// Whether any frame has a face.
+  bool any() const { return !parts_.empty(); }
+
+  /// Adds the sides of all faces, as indices over the corners of all shapes, the ends
+  /// of their parts, and both values at both ends; NaN where there is no face.
+  void store(ViewStore& store) const;
+
+ private:
+  struct Values {
+    std::size_t face;
+    FaceMotion motion;
+  };
+  std::map<std::pair<int, int>, std::size_t> faces_;  ///< by both sides
+  std::vector<std::uint32_t> sides_;                  ///< 2 for each face
+  std::vector<float> parts_;                          ///< 4 for each face
+  std::vector<std::vector<Values>> frames_;
+};
+
+}  // namespace blocks::post
