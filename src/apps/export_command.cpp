@@ -23,6 +23,7 @@
 #include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
 #include "post/time_series.hpp"
+#include "run/interrupt.hpp"
 #include "text_file.hpp"
 
 namespace blocks::apps {
@@ -177,9 +178,10 @@ void write_series(const ExportOptions& options, const std::string& format,
     frames.resize(static_cast<std::size_t>(results.frames()));
     std::iota(frames.begin(), frames.end(), 0L);
   }
+  run::catch_interrupts();
+  const auto write = format == "pvd" ? post::write_pvd : post::write_csv;
   const post::SeriesFiles files =
-      format == "pvd" ? post::write_pvd(options.output, results, frames)
-                      : post::write_csv(options.output, results, frames);
+      write(options.output, results, frames, run::stop_if_interrupted);
   if (!options.input.quiet)
     fmt::print("{}: {}, {} of blocks and {} of contacts\n",
                fmt::join(files.names, ", "), post::counted(frames.size(), "time"),
@@ -249,6 +251,9 @@ int export_blocks(ExportOptions options) {
         return run::done;
       }
       scene = scene_of(results, options.time);
+    } catch (const run::Interrupted&) {
+      fmt::print(stderr, "blocks: interrupted; no file was written\n");
+      return run::interrupted;
     } catch (const std::runtime_error& fault) {
       return tell_fault(fault);
     }

@@ -80,7 +80,8 @@ std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
 }  // namespace
 
 SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
-                      const std::vector<long>& frames) {
+                      const std::vector<long>& frames,
+                      const std::function<void()>& may_stop) {
   const std::string name = std::filesystem::path(path).replace_extension().string();
   SeriesFiles files{{path, name + "_contacts.csv"}};
   WholeFile blocks(files.names[0]), contacts(files.names[1]);
@@ -97,6 +98,7 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
                                   : "\n");
   ResultsTracker tracker(results);
   for (const long i : frames) {
+    may_stop();
     const Frame now = results.frame(i);
     const FrameContacts acting = results.contacts(i);
     blocks << block_rows(kinds, now, tracker.at(i, now).first, with_parents);

@@ -112,27 +112,66 @@ bool is_piece(const fs::path& file) {
          name.ends_with(".vtu");
 }
 
-/// Renames an older folder of .vtu files to .bak. An earlier .bak is deleted first, but
-/// only the files in it that write_pvd() has written.
-void make_room(const fs::path& folder) {
+/// Deletes a folder of .vtu files, but only the files in it that write_pvd() has
+/// written.
+void remove_pieces(const fs::path& folder) {
   std::error_code fault;
-  if (!fs::exists(folder, fault))
+  if (!fs::is_directory(fs::symlink_status(folder, fault)))
     return;
-  const fs::path aside = folder.string() + ".bak";
-  if (fs::is_directory(fs::symlink_status(aside, fault))) {
-    for (const auto& entry : fs::directory_iterator(aside, fault))
-      if (is_piece(entry.path()))
-        fs::remove(entry.path(), fault);
-    fs::remove(aside, fault);
-  }
-  if (fs::exists(fs::symlink_status(aside, fault)))
-    throw output::FileError(
-        fmt::format("cannot write {}: it exists, and {} contains other files",
-                    folder.string(), aside.string()));
-  fs::rename(folder, aside, fault);
-  if (fault)
-    throw output::FileError("cannot write " + folder.string() + ": " + fault.message());
+  for (const auto& entry : fs::directory_iterator(folder, fault))
+    if (is_piece(entry.path()))
+      fs::remove(entry.path(), fault);
+  fs::remove(folder, fault);
 }
+
+/// Deletes such a folder. Throws output::FileError if the name is still taken.
+void make_room(const fs::path& folder, const fs::path& meant) {
+  remove_pieces(folder);
+  std::error_code fault;
+  if (fs::exists(fs::symlink_status(folder, fault)))
+    throw output::FileError(fmt::format("cannot write {}: {} contains other files",
+                                        meant.string(), folder.string()));
+}
+
+void rename_folder(const fs::path& from, const fs::path& to) {
+  std::error_code fault;
+  fs::rename(from, to, fault);
+  if (fault)
+    throw output::FileError("cannot write " + to.string() + ": " + fault.message());
+}
+
+/// A folder of .vtu files that gets its name when it is complete. The destructor
+/// removes it unless it has got its name.
+class PieceFolder {
+ public:
+  /// Throws output::FileError.
+  explicit PieceFolder(fs::path name)
+      : name_(std::move(name)), path_(name_.string() + ".tmp") {
+    make_room(path_, name_);  // a killed program may have left it
+    std::error_code fault;
+    if (!fs::create_directory(path_, fault))
+      throw output::FileError("cannot write " + name_.string() + ": " +
+                              fault.message());
+  }
+  ~PieceFolder() { remove_pieces(path_); }
+  PieceFolder(const PieceFolder&) = delete;
+  PieceFolder& operator=(const PieceFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  /// Renames the folder; an older one gets the ending .bak. Throws output::FileError.
+  void take_name() {
+    std::error_code fault;
+    if (fs::exists(fs::symlink_status(name_, fault))) {
+      const fs::path aside = name_.string() + ".bak";
+      make_room(aside, name_);
+      rename_folder(name_, aside);
+    }
+    rename_folder(path_, name_);
+  }
+
+ private:
+  fs::path name_, path_;
+};
 
 /// A .pvd file, which lists the .vtu file of each time.
 class Collection {
@@ -157,15 +196,12 @@ class Collection {
 }  // namespace
 
 SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
-                      const std::vector<long>& frames) {
+                      const std::vector<long>& frames,
+                      const std::function<void()>& may_stop) {
   const std::string name = fs::path(path).replace_extension().string();
   const fs::path folder = name + "_vtu";
   const output::NameLock lock(folder.string(), path);
-  make_room(folder);
-  std::error_code fault;
-  if (!fs::create_directory(folder, fault))
-    throw output::FileError("cannot write " + folder.string() + ": " + fault.message());
-
+  PieceFolder pieces(folder);
   SeriesFiles files{{path, name + "_contacts.pvd"}};
   Collection blocks, contacts;
   ResultsTracker tracker(results);
@@ -175,10 +211,11 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
     const std::string piece = fmt::format("{}_{:0{}}.vtu", kind, k, digits);
     grid.time = now.time;
     grid.step = now.step;
-    write_vtu((folder / piece).string(), grid);
+    write_vtu((pieces.path() / piece).string(), grid);
     collection.add(now.time, folder.filename().string() + "/" + piece);
   };
   for (std::size_t k = 0; k < frames.size(); ++k) {
+    may_stop();
     const Frame now = results.frame(frames[k]);
     const FrameContacts acting = results.contacts(frames[k]);
     put(block_grid(now, tracker.at(frames[k], now)), now, "blocks", k, blocks);
@@ -186,6 +223,7 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
     files.blocks += now.size();
     files.contacts += acting.size();
   }
+  pieces.take_name();
   blocks.write(files.names[0]);
   contacts.write(files.names[1]);
   return files;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <map>
 #include <sstream>
 
@@ -91,6 +92,29 @@ TEST_F(ExportTimes, DoesNotReplaceAFolderWithForeignFiles) {
   EXPECT_EQ(slurp(folder_ / "a_vtu.bak/mine.txt"), "precious");
   EXPECT_EQ(slurp(folder_ / "a_vtu.bak/blocks_mine.vtu"), "precious");
   EXPECT_TRUE(folder_.holds("a_vtu/blocks_0.vtu"));
+}
+
+// A folder without its .pvd file, and the lock, were left behind.
+TEST_F(ExportTimes, LeavesNothingAfterAnInterrupt) {
+  run_text(folder_, "long",
+           preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+               "GRAVITY, 1, -10\nPLOTS, 0.0004\nCYCLE, 2000\n");
+  ASSERT_EQ(run("-o a.pvd").code, 0);
+  const std::string before = slurp(folder_ / "a_vtu/blocks_0.vtu");
+  EXPECT_EQ(
+      killed("export long.vtkhdf -o a.pvd", "a_vtu.tmp", 0.0, SIGINT, folder_.path()),
+      130)
+      << "the export was over before it could be interrupted";
+  for (const char* name : {"a_vtu.tmp", "a_vtu.lock", "a_vtu.bak", "a.pvd.bak"})
+    EXPECT_FALSE(folder_.holds(name)) << name;
+  EXPECT_EQ(slurp(folder_ / "a_vtu/blocks_0.vtu"), before);
+  // What a killed program leaves does not hinder the next one.
+  EXPECT_EQ(
+      killed("export long.vtkhdf -o a.pvd", "a_vtu.tmp", 0.0, SIGKILL, folder_.path()),
+      -1);
+  EXPECT_TRUE(folder_.holds("a_vtu.tmp"));
+  EXPECT_EQ(run("-o a.pvd").code, 0);
+  EXPECT_FALSE(folder_.holds("a_vtu.tmp"));
 }
 
 TEST_F(ExportTimes, NamesTheChoicesIfAnOptionIsWrong) {
