@@ -577,6 +577,24 @@ def test_colours_of_sides_are_those_of_the_program(folder, colour, deck, until):
         assert ("failed" in labels) == bool(failed.any())
 
 
+def test_faces_have_the_colours_of_their_motion(folder):
+    run("run", DECKS / "slope/slope.deck", "-o", folder / "sliding", "-q")
+    frame = read(folder / "sliding.vtkhdf").at(1.0)
+    ends, opening, shear = blocks._blocks._face_motions(frame.results.path, frame.index)
+    assert ends.shape == (len(opening), 2, 2, 2) and opening.shape == shear.shape
+    assert shear.min() < -0.5 < 0.05 < opening.max()  # the slope slides to the left
+    for colour, values in (("opening", opening), ("shear_displacement", shear)):
+        drawing = frame.plot(colour=colour, colorbar=True)
+        shown = drawing.sides.get_array().compressed()
+        assert len(shown) == 2 * 8 * len(values)  # two sides with eight parts
+        assert np.isclose(np.abs(shown).max(), np.abs(values).max(), rtol=0.1)
+        assert colour.replace("_", " ") in drawing.colorbar.ax.get_ylabel() + drawing.colorbar.ax.get_xlabel()
+    limited = frame.plot(colour="opening", clim=(-0.01, 0.01))
+    assert limited.sides.get_clim() == (-0.01, 0.01)
+    with pytest.raises(ValueError, match="since the first frame of results"):
+        blocks.check(DECKS / "slope/slope.deck").plot(colour="opening")
+
+
 def test_faces_of_broken_contacts_are_left_out(folder):
     """Contacts of planes, and of blocks and corners that are not there, have no face."""
     corners = np.array([(0, 0), (0, 1), (1, 1), (1, 0), (0, 1), (0, 2), (1, 2), (1, 1)], float)

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import quantities
 from .colours import INK, MAPS, WHOLE, is_dark, material_colour, mix, outlines_on
+from .faces import FACES, OUTLINE, add_faces
 from .figures import fit_height, new_figure
 from .force_lines import add_forces
 from .scenes import MARGIN, Scene
@@ -43,7 +44,7 @@ class Drawing:
         fixed: PolyCollection with the hatching of fixed blocks, or None.
         forces: LineCollection of the contact forces, the largest last, or None.
         rims: LineCollection of the rims of these lines, or None.
-        sides: LineCollection of the sides of blocks in colours of joints or bonds, or None.
+        sides: LineCollection of the sides of blocks in colours of joints, bonds or faces, or None.
         numbers: Text of the block numbers.
         colorbar: Colorbar, or None.
         legend: Legend of the materials, or None.
@@ -107,7 +108,8 @@ def plot(
         state: a Frame, such as results[-1], a Simulation or an Assembly, with n blocks.
         ax: the Axes; None: a new figure, whose height fits the blocks.
         colour: "material"; "joint" (the sides of blocks by joint id) or "bond" (the faces with the law of a
-            joint: bonded, or failed and how far they slipped); a quantity of `Frame.quantity`, such as
+            joint: bonded, or failed and how far they slipped); "opening" or "shear_displacement" (the faces
+            between blocks by their motion since the first frame of results); a quantity of `Frame.quantity`, such as
             "speed" or "s22"; an attribute with one number for each block, such as "layer"; an array of such
             numbers, (n,), or of colours, (n, 3) or (n, 4); None: all blocks are light grey. Blocks without a
             number (NaN) are grey.
@@ -133,7 +135,10 @@ def plot(
         ax = new_figure(pyplot=True, shape=scene.shape).subplots()
     options = cbook.normalize_kwargs(options, PolyCollection)
     sides = colour if isinstance(colour, str) and colour in SIDES else ""
-    ground, values, label, zero = _colours_of(scene, "material" if sides else colour, cmap, forces or bool(sides))
+    faces = colour if isinstance(colour, str) and colour in FACES else ""
+    on_sides = bool(sides or faces)
+    limits = {name: options.pop(name) for name in ("norm", "clim") if faces and name in options}
+    ground, values, label, zero = _colours_of(scene, "material" if on_sides else colour, cmap, forces or on_sides)
     scale = _points_per_length(ax, scene)
     size = scene.block_size * scale  # [pt]
     defaults: dict[str, Any] = {"linewidth": float(np.clip(0.03 * size, 0.15, 0.8))}
@@ -145,8 +150,8 @@ def plot(
         blocks.update_scalarmappable()
         ground = blocks.get_facecolor()
     else:
-        faces = blocks.get_facecolor()  # they repeat; without any the paper is seen
-        ground = np.resize(faces if len(faces) else colors.to_rgba_array("white"), (len(scene), 4))
+        fills = blocks.get_facecolor()  # they repeat; without any the paper is seen
+        ground = np.resize(fills if len(fills) else colors.to_rgba_array("white"), (len(scene), 4))
     if "edgecolor" not in options:
         blocks.set_edgecolor(outlines_on(ground, faint=forces) if len(scene) else "none")
     ax.add_collection(blocks)
@@ -155,6 +160,12 @@ def plot(
     drawing.fixed = _add_hatching(ax, scene, ground, zorder)
     if sides:
         drawing.sides = add_sides(ax, scene, sides, size, zorder)
+    if faces:
+        drawing.sides, moved = add_faces(ax, scene, faces, size, zorder)
+        _set_values(drawing.sides, moved, "middle", cmap, limits)
+        drawing.sides.set_cmap(drawing.sides.get_cmap().with_extremes(bad=OUTLINE))
+        drawing.sides.set(**limits)
+        label = FACES[faces] + scene.unit("x")
     if forces:
         drawing.rims, drawing.forces = add_forces(ax, scene, size, force_scale, force_width, zorder)
     if numbers:
@@ -208,9 +219,9 @@ def _material_colours(scene: Scene, chosen: Mapping[int | str, Any], pale: bool)
 
 
 def _set_values(
-    blocks: PolyCollection, values: _Floats, zero: str, cmap: Any, options: Mapping[str, Any]
+    blocks: Collection, values: _Floats, zero: str, cmap: Any, options: Mapping[str, Any]
 ) -> None:
-    """Gives the blocks a colour map and the range of `blocks plot`, unless the options have one."""
+    """Gives blocks or lines a colour map and the range of `blocks plot`, unless the options have one."""
     found = matplotlib.colormaps[MAPS[zero]] if cmap is None else cmap
     if isinstance(found, str):
         found = matplotlib.colormaps[found]
@@ -339,16 +350,17 @@ def _add_legend(ax: Axes, scene: Scene, ground: _Floats, more: list[Any]) -> Leg
 
 
 def _add_colorbar(drawing: Drawing, scene: Scene, label: str) -> Colorbar:
-    """Adds a bar as long as the Axes: on the right, or above wide pictures."""
+    """Adds a bar as long as the Axes: on the right, or above wide pictures that have no legend there."""
     ax = drawing.ax
-    mapped: Any = drawing.blocks if drawing.blocks.get_array() is not None else drawing.forces
+    with_values = [one for one in (drawing.blocks, drawing.sides) if one is not None and one.get_array() is not None]
+    mapped: Any = with_values[0] if with_values else drawing.forces
     if mapped is None:
         raise ValueError("a colour bar needs a quantity, such as colour='speed', or forces=True")
     if mapped is drawing.forces:
         label = "contact force" + scene.unit("fx")
     width, height = np.ptp([ax.get_xlim(), ax.get_ylim()], axis=1)
     thick, gap = 0.03, 0.02  # shares of the width
-    if height < 0.5 * width:
+    if height < 0.5 * width and drawing.legend is None:
         share = width / height
         inset = ax.inset_axes([0.0, 1.0 + gap * share, 1.0, thick * share])
         bar = ax.figure.colorbar(mapped, cax=inset, orientation="horizontal", label=label)
