@@ -8,11 +8,11 @@ namespace {
 
 /// Rounds to four digits, which are more than colours show and need less space. What is
 /// less than a billionth of the length of a face becomes 0.
-double rounded(double value, double length) {
+float rounded(double value, double length) {
   if (!(std::abs(value) > 1e-9 * length))
-    return 0.0;
+    return 0.0F;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
-  return unit * std::round(value / unit);
+  return static_cast<float>(unit * std::round(value / unit));
 }
 
 }  // namespace
@@ -20,7 +20,10 @@ double rounded(double value, double length) {
 void ViewFaces::add_frame(const Frame& now, const CrackedBlocks& cracked,
                           const ViewShapes& shapes) {
   auto& frame = frames_.emplace_back();
-  for (const Face& face : find_faces(cracked.first, cracked.later)) {
+  if (cracks_ != cracked.cracks)  // only cracks make new faces
+    known_ = find_faces(cracked.first, cracked.later);
+  cracks_ = cracked.cracks;
+  for (const Face& face : known_) {
     const auto motion = motion_of(face, now);
     if (!motion)
       continue;
@@ -28,7 +31,8 @@ void ViewFaces::add_frame(const Frame& now, const CrackedBlocks& cracked,
       return shapes.corner_index(part.block + 1, static_cast<int>(part.side) + 1);
     };
     const std::pair sides(index(face.own), index(face.other));
-    const auto [found, is_new] = faces_.try_emplace(sides, faces_.size());
+    const auto [found, is_new] =
+        faces_.try_emplace(sides, static_cast<std::uint32_t>(faces_.size()));
     if (is_new) {
       for (const int side : {sides.first, sides.second})
         sides_.push_back(static_cast<std::uint32_t>(side));
@@ -36,7 +40,13 @@ void ViewFaces::add_frame(const Frame& now, const CrackedBlocks& cracked,
         for (const double end : part->ends)
           parts_.push_back(static_cast<float>(end));
     }
-    frame.push_back({found->second, *motion});
+    const double length = (motion->own[1] - motion->own[0]).norm();
+    Values& values = frame.emplace_back(Values{found->second, {}, {}});
+    for (int end = 0; end < 2; ++end) {
+      const auto at = static_cast<std::size_t>(end);
+      values.opening[at] = rounded(motion->opening[end], length);
+      values.shear[at] = rounded(motion->shear[end], length);
+    }
   }
 }
 
@@ -46,12 +56,10 @@ void ViewFaces::store(ViewStore& store) const {
   for (const auto& frame : frames_) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> openings(rows, none), shears(rows, none);
-    for (const auto& [face, motion] : frame)
-      for (int end = 0; end < 2; ++end) {
-        const std::size_t row = 2 * face + static_cast<std::size_t>(end);
-        const double length = (motion.own[1] - motion.own[0]).norm();
-        openings[row] = rounded(motion.opening[end], length);
-        shears[row] = rounded(motion.shear[end], length);
+    for (const Values& values : frame)
+      for (std::size_t end = 0; end < 2; ++end) {
+        openings[2 * values.face + end] = values.opening[end];
+        shears[2 * values.face + end] = values.shear[end];
       }
     for (std::size_t row = 0; row < rows; ++row) {
       opening.add(openings[row]);

@@ -2,6 +2,8 @@
 // displacement in all frames.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -26,13 +28,16 @@ class ViewFaces {
   void store(ViewStore& store) const;
 
  private:
+  /// Of both ends of a face, with four digits.
   struct Values {
-    std::size_t face;
-    FaceMotion motion;
+    std::uint32_t face;
+    std::array<float, 2> opening, shear;  ///< [L]
   };
-  std::map<std::pair<int, int>, std::size_t> faces_;  ///< by both sides
-  std::vector<std::uint32_t> sides_;                  ///< 2 for each face
-  std::vector<float> parts_;                          ///< 4 for each face
+  std::vector<Face> known_;                             ///< of the last frame
+  long cracks_ = -1;                                    ///< number of cracks up to it
+  std::map<std::pair<int, int>, std::uint32_t> faces_;  ///< by both sides
+  std::vector<std::uint32_t> sides_;                    ///< 2 for each face
+  std::vector<float> parts_;                            ///< 4 for each face
   std::vector<std::vector<Values>> frames_;
 };
 
