@@ -301,7 +301,7 @@ def parser():
                   "Takes 6 minutes. Writes bench.md, bench.json and bench.png in the current "
                   "folder.")
     command.add_argument("parts", metavar="PART", nargs="*",
-                         help="wall, pile, slope, crater, subsidence, decks, search, predicates, "
+                         help="rock, wall, pile, slope, crater, subsidence, decks, search, predicates, "
                               "generation, cut, seeds, sweeps (default: all)")
     command.add_argument("--quick", action="store_true", help="small scenes; takes one minute")
     command.add_argument("-o", "--output", metavar="NAME", help="write NAME.md, .json and .png")

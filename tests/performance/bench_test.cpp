@@ -68,7 +68,7 @@ TEST(Bench, NamesItsPartsIfOneIsUnknown) {
   const TemporaryFolder folder;
   EXPECT_EQ(bench(folder, "wal"), 2);
   EXPECT_EQ(testing::slurp(folder / "err.txt"),
-            "blocks: error: no benchmark 'wal'; there are: wall, pile, slope, "
+            "blocks: error: no benchmark 'wal'; there are: rock, wall, pile, slope, "
             "crater, subsidence, decks, search, predicates, generation, cut, seeds, "
             "sweeps\n");
 }

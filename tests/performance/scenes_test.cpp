@@ -79,6 +79,34 @@ TEST(Scenes, ChatteringWallKeepsChangingContactsUnlikeTheCalmWall) {
   }
 }
 
+// Rock at rest hardly moves, the receding wall lets it creep, and without the wall the
+// front falls.
+TEST(Scenes, CutRockMovesAsItsSupportLetsIt) {
+  for (const bench::Cut cut : {bench::Cut::two_sets, bench::Cut::voronoi}) {
+    const auto mean_speed = [&](bench::Support support) {
+      const Model model = bench::advanced(bench::rock_scene(cut, 150, support), true);
+      double sum = 0.0;
+      for (int b = 0; b < model.blocks.size(); ++b)
+        if (model.blocks.is_free(b))
+          sum += model.blocks.velocity.col(b).norm();
+      return sum / bench::free_blocks(model);
+    };
+    const double at_rest = mean_speed(bench::Support::walls),
+                 creeping = mean_speed(bench::Support::receding_wall);
+    EXPECT_LT(at_rest, 0.001);
+    EXPECT_GT(creeping, 2.0 * at_rest);
+    EXPECT_LT(creeping, 0.05);
+    EXPECT_GT(mean_speed(bench::Support::one_wall), 0.05);
+  }
+}
+
+TEST(Scenes, LawsOfRockHaveTheFrictionOfTheOthers) {
+  const Model with = bench::rock_with_laws(bench::Cut::voronoi, 150).start;
+  ASSERT_EQ(with.settings.joint_laws.size(), 2U);
+  for (const auto& [id, law] : with.settings.joint_laws)
+    EXPECT_EQ(law.friction, with.settings.friction);
+}
+
 TEST(Scenes, LayersOfTheSlopeSlideOnEachOther) {
   const bench::Scene scene = bench::slope_scene();
   bench::BlocksCode code(bench::advanced(scene, true));

@@ -68,6 +68,10 @@ class Box2dCode : public Contestant {
 bool has_box2d() { return true; }
 
 std::unique_ptr<Contestant> box2d_code(const Model& start) {
+  const Blocks& blocks = start.blocks;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (!blocks.convex[b] || blocks.corners_of(b) > b2_maxPolygonVertices)
+      return nullptr;
   return start.loads.none() ? std::make_unique<Box2dCode>(start) : nullptr;
 }
 #else

@@ -17,8 +17,6 @@ namespace {
 
 using Code = std::unique_ptr<Contestant>;
 
-// A profile of fewer steps depends on whether it includes a search.
-constexpr long least_profiled = 30;
 // Box2D makes these steps untimed, because it approaches rest in its own way.
 constexpr long box2d_steps = 20;
 
@@ -166,7 +164,7 @@ void compare_codes(const Plan& plan, const Scene& scene, Report& report) {
     entries.push_back({lists.get(), 0});
   } else {
     report.note("Linked lists are left out of " + scene.part +
-                ": they have neither symmetry planes nor loads");
+                ": they have neither symmetry planes nor loads nor concave blocks");
   }
   const Code box2d = box2d_code(rigid_state);
   if (box2d != nullptr) {
@@ -174,7 +172,8 @@ void compare_codes(const Plan& plan, const Scene& scene, Report& report) {
     entries.push_back({box2d.get(), 0});
   } else {
     report.note(has_box2d() ? "Box2D is left out of " + scene.part +
-                                  ": it has no pressures on sides"
+                                  ": it has no pressures on sides, concave polygons "
+                                  "or polygons of more than 8 corners"
                             : "Box2D is left out: libbox2d-dev was not found when "
                               "this was compiled");
   }

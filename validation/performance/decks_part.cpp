@@ -61,9 +61,22 @@ StepRun run_steps(const std::string& name, long steps) {
   return run;
 }
 
+/// Times whole runs of decks of cut rock, whose blocks fail in several stages.
+void run_rock_decks(Report& report) {
+  for (const std::string name : {"footing", "slope", "opening"}) {
+    announce("deck " + name);
+    const WholeRun whole = run_program(deck_path(name), true, 1);
+    report.rows.push_back({"decks", name + ", " + grouped(whole.steps) + " steps",
+                           "blocks, whole run", 1,
+                           whole.block_steps / static_cast<double>(whole.steps),
+                           "block-step", 1e9 * whole.seconds / whole.block_steps});
+  }
+}
+
 }  // namespace
 
 void run_decks(const Plan& plan, Report& report) {
+  run_rock_decks(report);
   for (const std::string name : {"subsidence", "crater"}) {
     announce("deck of the " + name);
     const std::string deck = deck_path(name);

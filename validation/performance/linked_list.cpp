@@ -20,7 +20,9 @@ double critical_time_step(const Model& model) {
 }  // namespace
 
 bool LinkedListCode::can_step(const Model& model) {
-  return model.settings.rigid && model.settings.planes.empty() && model.loads.none();
+  const auto& convex = model.blocks.convex;
+  return model.settings.rigid && model.settings.planes.empty() && model.loads.none() &&
+         std::all_of(convex.begin(), convex.end(), [](auto one) { return bool(one); });
 }
 
 LinkedListCode::LinkedListCode(const Model& start)

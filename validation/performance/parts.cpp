@@ -40,13 +40,14 @@ class Search : public Contestant {
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> all = {
+      {"rock", "rock cut by joints, at rest, creeping and failing", run_rock, true},
       {"wall", "walls of bricks, calm and chattering, against other codes", run_wall,
        true},
       {"pile", "a settling pile of polygons, against other codes", run_pile, true},
       {"slope", "a sliding slope of bricks, against other codes", run_slope, true},
       {"crater", "the crater deck while the blast acts", run_crater, true},
       {"subsidence", "the subsidence deck in its cave-in", run_subsidence, true},
-      {"decks", "whole runs of the subsidence and crater decks", run_decks},
+      {"decks", "whole runs of decks of cut rock, the subsidence and the crater", run_decks},
       {"search", "the search for near pairs of blocks alone", run_search},
       {"predicates", "contact predicates and contact law alone", run_predicates},
       {"generation", "random layers cut and certified", run_generation},

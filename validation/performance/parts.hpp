@@ -31,6 +31,7 @@ const std::vector<Part>& parts();
 void announce(const std::string& what);
 
 void run_wall(const Plan& plan, Report& report);
+void run_rock(const Plan& plan, Report& report);
 void run_pile(const Plan& plan, Report& report);
 void run_slope(const Plan& plan, Report& report);
 void run_crater(const Plan& plan, Report& report);

@@ -26,6 +26,14 @@ void add_ratio_target(Report& report, const Row* row, const std::string& what,
 
 }  // namespace
 
+void add_pile_target(Report& report, int polygons) {
+  const std::string pile = "pile, " + grouped(polygons) + " polygons";
+  if (const Row* row = report.find(pile, "settling", box2d_name))
+    report.targets.push_back({pile + ", settling: cost of a block-step over that of a "
+                                     "body-iteration of Box2D",
+                              1.0 / row->ratio->middle, 0.7, false, " times"});
+}
+
 void add_wall_targets(Report& report) {
   const std::string calm = calm_state;
   for (const Box2dTarget& one : box2d_targets) {

@@ -26,8 +26,15 @@ constexpr double kick = 0.02;
 
 // [T] The layers fall less than 3 [L] in this time and have met.
 constexpr double pile_time = 1.5;
-// [T] The pile changes little in this time; it is nearly at rest after 2.
+// [T] The pile changes little in this time.
 constexpr double pile_window = 0.1;
+constexpr double pile_falls = 0.3, pile_rests = 3.0;  // [T]
+
+// A large rock is timed while it settles into its joints, after this many steps.
+constexpr int large_rock = 10'000;
+constexpr long rock_steps = 200;
+// [T] By then the rock is at rest, or creeps behind the wall, or its front falls.
+constexpr double rock_time = 0.4, rock_window = 0.1;
 
 // The layers settle on the floor within this many steps.
 constexpr long slope_steps = 1000;
@@ -90,6 +97,37 @@ Scene chattering_wall(int power) {
   return scene;
 }
 
+Scene rock_scene(Cut cut, int blocks, Support support) {
+  Scene scene{
+      .part = "rock", .name = {}, .state = {}, .start = cut_rock(cut, blocks, support)};
+  scene.name = (cut == Cut::voronoi ? "Voronoi cells, " : "two joint sets, ") +
+               grouped(free_blocks(scene.start)) + " blocks";
+  if (blocks >= large_rock) {
+    scene.state = "settling", scene.steps = rock_steps;
+    return scene;
+  }
+  scene.state = support == Support::walls           ? "at rest"
+                : support == Support::receding_wall ? "creeping"
+                                                    : "failing";
+  scene.time = rock_time;
+  if (support != Support::walls)
+    scene.window = rock_window;
+  return scene;
+}
+
+Scene rock_with_laws(Cut cut, int blocks) {
+  Scene scene = rock_scene(cut, blocks, Support::walls);
+  scene.start = cut_rock(cut, blocks, Support::walls, true);
+  scene.state = "at rest, laws";
+  return scene;
+}
+
+Scene falling_pile(int polygons) {
+  Scene scene = settling_pile(polygons);
+  scene.state = "falling", scene.time = pile_falls;
+  return scene;
+}
+
 Scene settling_pile(int polygons) {
   return {.part = "pile",
           .name = "pile, " + grouped(polygons) + " polygons",
@@ -97,6 +135,12 @@ Scene settling_pile(int polygons) {
           .start = loose_pile(polygons),
           .time = pile_time,
           .window = pile_window};
+}
+
+Scene resting_pile(int polygons) {
+  Scene scene = settling_pile(polygons);
+  scene.state = "at rest", scene.time = pile_rests;
+  return scene;
 }
 
 Scene slope_scene() {

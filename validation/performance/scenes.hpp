@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/model.hpp"
+#include "rock.hpp"
 
 namespace blocks::bench {
 
@@ -19,6 +20,11 @@ struct Scene {
 /// Returns the model of the scene when the timing begins.
 Model advanced(const Scene& scene, bool rigid);
 
+/// Rock cut by joints: at rest, creeping or failing (rock.hpp).
+Scene rock_scene(Cut cut, int blocks, Support support);
+/// The same rock at rest, with laws of joints.
+Scene rock_with_laws(Cut cut, int blocks);
+
 constexpr const char* calm_state = "calm";
 constexpr const char* chatter_state = "chatter";
 
@@ -29,8 +35,11 @@ std::string wall_name(int power);
 Scene calm_wall(int power);
 /// With FRACTION 0.1 the step is too long for the dashpots, so the bricks never settle.
 Scene chattering_wall(int power);
-/// The polygons have fallen on one another and settle.
+/// The polygons fall, settle after they have fallen on one another, or are nearly at
+/// rest.
+Scene falling_pile(int polygons);
 Scene settling_pile(int polygons);
+Scene resting_pile(int polygons);
 /// Layers of bricks slide on an inclined floor and on each other.
 Scene slope_scene();
 /// The crater deck is timed from its start until the blast ends.

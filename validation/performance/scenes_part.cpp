@@ -86,7 +86,10 @@ void run_wall(const Plan& plan, Report& report) {
 }
 
 void run_pile(const Plan& plan, Report& report) {
+  compare_codes(plan, falling_pile(plan.polygons), report);
   compare_codes(plan, settling_pile(plan.polygons), report);
+  compare_codes(plan, resting_pile(plan.polygons), report);
+  add_pile_target(report, plan.polygons);
 }
 
 void run_slope(const Plan& plan, Report& report) {
