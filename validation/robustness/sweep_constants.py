@@ -41,7 +41,8 @@ CONSTANTS = {
     "factor": [1.125, 1.4, 2, 2.6, 16, 1e9],
     "sign": [0.0, 0.7 * 2**-28, 2**-28, 1.3 * 2**-28, 2**-25, 2**-21]}
 # These constants are about joints, so `cut` is run for them alone, with 500 times as many frames.
-OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining", "overlap", "renewal", "arm", "factor", "sign")
+OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining", "overlap", "renewal", "arm",
+             "factor", "sign")
 MAY_FAIL = ("stake", "toe", "bricks", "triangles", "cut", "bonded")
 DRAWN = ("stake", "toe")
 
@@ -82,6 +83,9 @@ CHANGES = {
         ("constexpr double slack =", "const double slack ="),
         ("constexpr double facing_sine =", "const double facing_sine ="),
         ("constexpr double widest_joint =", "const double widest_joint =")],
+    "src/dynamics/rules/kept_depths.hpp": [
+        ("static constexpr double share =", "static inline const double share ="),
+        ("static constexpr double sign_per_slack =", "static inline const double sign_per_slack =")],
     "src/dynamics/search/near_pairs.cpp": [
         ("constexpr double part_of_extents =", "const double part_of_extents =")],
     "src/dynamics/rules/block_parts.cpp": [("constexpr double slack =", "const double slack =")]}
