@@ -197,7 +197,10 @@ void Builder::check_fraction(const Command& command) {
         safe);
     // Without damping, such a step is unstable even for a single contact.
     constexpr double refused = 3.0;
-    if (settings.fraction > refused * safe)
+    const auto& fixity = model_.blocks.fixity;
+    const bool may_be_packed =
+        std::count(fixity.begin(), fixity.end(), Fixity::free) > 1;
+    if (settings.fraction > refused * safe && may_be_packed)
       diagnostics_.error(to_blame.where, to_blame.name,
                          given + " is unstable: packed blocks would fly apart", hint);
     else
