@@ -1,5 +1,5 @@
-// Each question is asked in doubles first, then with intervals, and with rationals if
-// an interval cannot decide.
+// Each question is asked in doubles first, then with intervals, and with exact quotients
+// if an interval cannot decide.
 #include "geometry/continuation.hpp"
 
 #include "geometry/exact/continuation_questions.hpp"
@@ -9,9 +9,9 @@ namespace blocks::geometry {
 namespace {
 
 using sides::Interval;
-using sides::Rational;
+using sides::Exact;
 
-/// Asks a question with intervals, and with rationals if they cannot decide.
+/// Asks a question with intervals, and with exact quotients if they cannot decide.
 /// ask(number) gets a number of the type to use.
 template <class Ask> bool decide(const Ask& ask) {
   try {
@@ -20,7 +20,7 @@ template <class Ask> bool decide(const Ask& ask) {
   } catch (const CGAL::Uncertain_conversion_exception&) {
   } catch (const sides::Overflow&) {
   }
-  return ask(Rational(0));
+  return ask(Exact(0));
 }
 
 }  // namespace
@@ -58,6 +58,8 @@ bool crosses(Outline polygon, int side, Outline other) {
 
 bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outline one,
                            Outline other) {
+  if (const auto sure = quick::exceeds_common_region(c, p1, p2, one, other))
+    return *sure;
   return decide([&](auto number) {
     return continuation::exceeds_common_region<decltype(number)>(c, p1, p2, one, other);
   });

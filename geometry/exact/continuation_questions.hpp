@@ -154,8 +154,9 @@ template <class Number> class AxisQuestion {
   }
 
   bool is_hidden_by(Outline third, Continues which) const {
-    const std::optional<Range<Number>> slide = slide_along(third, which);
-    if (!slide || !is_local(third, which))
+    const Number shift2 = separating_shift2<Number>(moving(which), third);
+    const std::optional<Range<Number>> slide = slide_along(third, which, shift2);
+    if (!slide || !is_local(third, which, shift2))
       return false;
     const Number forward = slide->to(), backward = -slide->from();
     const Number most_way = Number(longest_way) * least(forward, backward);
@@ -167,7 +168,9 @@ template <class Number> class AxisQuestion {
     const bool is_before = before > 0;
     if (!is_before && !(after > 0))
       return false;
-    const std::optional<Range<Number>> slide = slide_along(third, Continues::own);
+    const std::optional<Range<Number>> slide =
+        slide_along(third, Continues::own,
+                    separating_shift2<Number>(moving(Continues::own), third));
     if (!slide)
       return false;
     return is_before ? Number(2) * slide->to() >= before
@@ -180,15 +183,15 @@ template <class Number> class AxisQuestion {
   }
   /// Shifts one of the two polygons out of the other through the side of the axis. If
   /// the third polygon blocks that, because the two overlap by enough then, returns how
-  /// far it may slide along the side until it leaves the third one.
-  std::optional<Range<Number>> slide_along(Outline third, Continues which) const {
+  /// far it may slide along the side until it leaves the third one. shift2: the present
+  /// separating_shift2 of the two.
+  std::optional<Range<Number>> slide_along(Outline third, Continues which,
+                                           const Number& shift2) const {
     const Number sign(which == Continues::own ? 1 : -1);
     const Number depth = area_ / length2_;  // in lengths of the side
     const Arrow<Number> out = (sign * depth) * e_.along.left(), way = sign * e_.along;
-    const Number enough2 =
-        most(square(Number(remaining_share) * area_),
-             square(Number(remaining_overlap)) *
-                 separating_shift2<Number>(moving(which), third) * length2_);
+    const Number enough2 = most(square(Number(remaining_share) * area_),
+                                square(Number(remaining_overlap)) * shift2 * length2_);
     Range<Number> range;
     bool overlap = true;
     each_axis<Number>(moving(which), third,
@@ -204,10 +207,9 @@ template <class Number> class AxisQuestion {
     return overlap ? std::optional(range) : std::nullopt;
   }
   /// Returns whether the third polygon is at the contact point, within the width of a
-  /// closed joint.
-  bool is_local(Outline third, Continues which) const {
+  /// closed joint. shift2: as in slide_along.
+  bool is_local(Outline third, Continues which, const Number& shift2) const {
     const Number depth2 = square(area_) / length2_;
-    const Number shift2 = separating_shift2<Number>(moving(which), third);
     const Number width2 =
         least(square(Number(joint_width)) * most(depth2, shift2),
               square(Number(widest_joint)) *

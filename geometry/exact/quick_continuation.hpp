@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -82,14 +83,25 @@ inline std::optional<int> sign_below(const Line& side, const Vec2& corner,
   return area.negative() ? std::optional(-1) : std::nullopt;
 }
 
-/// Tells whether a segment of a side, of positive length, lies in another convex
-/// polygon, if that is certain.
-inline std::optional<bool> crosses(Outline polygon, int side, Outline other) {
+/// Bounds of a number.
+struct Bounds {
+  double least, most;
+};
+
+/// The part of a side that lies in a convex polygon, from and to places along it in
+/// [0, 1]. It is open if doubles cannot tell which sides of the polygon are crossed.
+struct PartOfSide {
+  Bounds from{0.0, 0.0}, to{1.0, 1.0};
+  bool is_open = false;
+  bool is_certain() const { return from.most < to.least; }
+  bool is_empty() const { return from.least >= to.most; }
+};
+
+inline PartOfSide part_in(Outline polygon, int side, Outline other) {
   const Line own = line_of(polygon, side);
-  struct Bounds {
-    double least, most;
-  } from{0.0, 0.0}, to{1.0, 1.0};
-  bool is_empty = false, is_open = false;
+  PartOfSide part;
+  auto& [from, to, is_open] = part;
+  bool is_empty = false;
   all_sides(other, [&](const Line& line) {
     const Estimate first = line.area(own.start), last = line.area(own.end);
     const std::optional<int> before = sign_below(line, own.start, first),
@@ -115,12 +127,19 @@ inline std::optional<bool> crosses(Outline polygon, int side, Outline other) {
     return !is_open;
   });
   if (is_empty)
-    return false;
-  if (is_open)
+    return {{1.0, 1.0}, {0.0, 0.0}};
+  return part;
+}
+
+/// Tells whether a segment of a side, of positive length, lies in another convex
+/// polygon, if that is certain.
+inline std::optional<bool> crosses(Outline polygon, int side, Outline other) {
+  const PartOfSide part = part_in(polygon, side, other);
+  if (part.is_open)
     return std::nullopt;
-  if (from.most < to.least)
+  if (part.is_certain())
     return true;
-  return from.least >= to.most ? std::optional(false) : std::nullopt;
+  return part.is_empty() ? std::optional(false) : std::nullopt;
 }
 
 /// Tells whether the depth of a corner below a side exceeds twice the shortest shift
@@ -236,6 +255,65 @@ inline Place place_on(const Line& side, const Foot& foot) {
               filter::u8 * (std::abs(side.start.x()) + std::abs(side.start.y()) +
                             std::abs(foot.value) * size) +
               filter::underflow};
+}
+
+/// Bounds of the diameter of the common region of two polygons, or none if doubles
+/// cannot tell. The lower one is positive only if there certainly is such a region.
+inline std::optional<Bounds> common_diameter(Outline one, Outline other) {
+  struct Vertex {
+    Place place;
+    bool is_certain;
+  };
+  constexpr int most_vertices = 64;
+  std::array<Vertex, most_vertices> vertices;
+  int count = 0;
+  const auto add = [&](Outline polygon, Outline in) {
+    for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
+      const PartOfSide part = part_in(polygon, i, in);
+      if (part.is_open || count + 2 > most_vertices)
+        return false;
+      if (part.is_empty())
+        continue;
+      for (const Bounds& at : {part.from, part.to})
+        vertices[static_cast<std::size_t>(count++)] = {
+            place_on(line_of(polygon, i),
+                     {0.5 * (at.least + at.most), at.most - at.least}),
+            part.is_certain()};
+    }
+    return true;
+  };
+  if (!add(one, other) || !add(other, one))
+    return std::nullopt;
+  Bounds found{0.0, 0.0};
+  for (int i = 0; i < count; ++i)
+    for (int k = i + 1; k < count; ++k) {
+      const Vertex& first = vertices[static_cast<std::size_t>(i)];
+      const Vertex& last = vertices[static_cast<std::size_t>(k)];
+      const double apart = (first.place.point - last.place.point).norm(),
+                   bound = 2.0 * (first.place.bound + last.place.bound);
+      found.most = std::max(found.most, more * apart + bound);
+      if (first.is_certain && last.is_certain)
+        found.least = std::max(found.least, less * apart - bound);
+    }
+  return found;
+}
+
+/// Tells whether the depth of a corner below a side exceeds twice the diameter of the
+/// common region of two polygons, if that is certain.
+inline std::optional<bool> exceeds_common_region(const Vec2& c, const Vec2& p1,
+                                                 const Vec2& p2, Outline one,
+                                                 Outline other) {
+  const Line e(p1, p2);
+  const std::optional<Bounds> diameter = common_diameter(one, other);
+  if (!is_moderate(e.length2) || !diameter || !(diameter->most < 0x1p400))
+    return std::nullopt;
+  const Estimate area = e.area(c);
+  const double scale = deepest_share * std::sqrt(e.length2);
+  if (area.value + area.bound < less * scale * diameter->least)
+    return false;
+  const bool exceeds =
+      area.value - area.bound > more * scale * diameter->most + filter::underflow;
+  return exceeds && diameter->least > 0x1p-400 ? std::optional(true) : std::nullopt;
 }
 
 /// Returns the contact point of docs/contact-rule.md#hidden-axes. Its bound is not
