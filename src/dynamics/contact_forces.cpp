@@ -133,38 +133,39 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
 
 void read_contacts(Blocks& blocks, std::vector<Contact>& list,
                    std::vector<JointState>& states, const Settings& settings, double dt,
-                   const PairIndex& index, ContactArrays& arrays) {
+                   ContactArrays& arrays, const WorkSplit& split, Workers& workers,
+                   ForceMemory& memory) {
   ContactBatches& batches = arrays.batches;
-  if (settings.rigid)
-    blocks.applied.setZero();
-  kernels().compute_forces(batches, state_of(blocks), law_of(settings, dt),
-                           settings.rigid, true, 0, batches.batches());
-  write_list(arrays, list, states);
-  auto contact = list.begin();
-  auto state = states.begin();
-  for (int p = 0; p < index.size(); ++p) {
-    arrays.each_slot(p, [&](int slot) {
-      if (!batches.is(slot, &ContactStates::acts))
-        return;
-      const int row = slot / lane_count, k = slot % lane_count;
-      const ReadingRow& reading = batches.readings[row];
-      contact->normal_elastic = batches.advanced[row].normal_elastic[k];
-      contact->shear_elastic = batches.advanced[row].shear_elastic[k];
-      contact->normal_force = reading.normal_force[k];
-      contact->shear_force = reading.shear_force[k];
-      contact->overlap = reading.overlap[k];
-      ++contact;
-      if (!states.empty())
-        *state++ = arrays.advanced_joint_at(slot);
-    });
-    if (settings.rigid && arrays.lane_of_pair[p] >= 0) {
-      const PairStress& of = batches.stresses[arrays.lane_of_pair[p]];
-      for (int i = 0; i < 4; ++i) {
-        blocks.applied(i, index.pairs[p].low) += of.low[i];
-        blocks.applied(i, index.pairs[p].high) += of.high[i];
-      }
+  const ContactLaw law = law_of(settings, dt);
+  workers.each(split.batches, [&](int, int begin, int end) {
+    kernels().compute_forces(batches, state_of(blocks), law, settings.rigid, true,
+                             begin, end);
+  });
+  list_acting(
+      arrays, split, workers, memory.first_contact, list, states,
+      [&](int slot, Contact& contact) {
+        const int row = slot / lane_count, k = slot % lane_count;
+        const ReadingRow& reading = batches.readings[row];
+        contact.normal_elastic = batches.advanced[row].normal_elastic[k];
+        contact.shear_elastic = batches.advanced[row].shear_elastic[k];
+        contact.normal_force = reading.normal_force[k];
+        contact.shear_force = reading.shear_force[k];
+        contact.overlap = reading.overlap[k];
+      },
+      [&](int slot, JointState& state) { state = arrays.advanced_joint_at(slot); });
+  if (!settings.rigid)
+    return;
+  workers.each(split.blocks, [&](int, int begin, int end) {
+    for (int b = begin; b < end; ++b) {
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+      arrays.each_lane_of(b, [&](unsigned lane, bool is_low) {
+        const PairStress& of = batches.stresses[lane];
+        for (int i = 0; i < 4; ++i)
+          sum[i] += is_low ? of.low[i] : of.high[i];
+      });
+      blocks.applied.col(b) = sum;
     }
-  }
+  });
 }
 
 }  // namespace blocks::dynamics

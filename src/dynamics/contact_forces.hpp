@@ -23,6 +23,8 @@ struct ForceMemory {
   SpringTransfer transfer;
   std::vector<int> receivers;  ///< batches that have received springs
   std::vector<int> shares;     ///< splits the receivers among the threads
+  /// (windows + 1) of read_contacts: the first contact of each window in the list
+  std::vector<int> first_contact;
   /// Pairs that have lost a bond in this step. Their contacts must be decided again.
   std::vector<int> broken;
 };
@@ -39,11 +41,12 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
 
 /// Computes the contacts of this step once more for output. Writes springs at the end
 /// of the step, forces and overlaps to the list of the model, and the states of their
-/// laws to `states`. For rigid blocks it also
-/// overwrites `applied` with the sums f_i x_j of the contacts. Call it after
-/// find_contact_forces and before ContactBatches::advance_springs.
+/// laws to `states`. For rigid blocks it also overwrites `applied` with the sums
+/// f_i x_j of the contacts. Call it after find_contact_forces and before
+/// ContactBatches::advance_springs.
 void read_contacts(Blocks& blocks, std::vector<Contact>& list,
                    std::vector<JointState>& states, const Settings& settings, double dt,
-                   const PairIndex& index, ContactArrays& arrays);
+                   ContactArrays& arrays, const WorkSplit& split, Workers& workers,
+                   ForceMemory& memory);
 
 }  // namespace blocks::dynamics

@@ -38,7 +38,16 @@ StepResult step(Model& model, Workspace& work) {
 void catch_up(Model& model, Workspace& work) {
   if (work.springs.list_is_current())
     return;
-  write_list(work.contacts, model.contacts, model.joint_states);
+  const ContactArrays& arrays = work.contacts;
+  list_acting(
+      arrays, work.split, *work.workers, work.forces.first_contact, model.contacts,
+      model.joint_states,
+      [&](int slot, Contact& contact) {
+        contact.normal_elastic = arrays.batches.at(slot, &SpringRow::normal_elastic);
+        contact.shear_elastic = arrays.batches.at(slot, &SpringRow::shear_elastic);
+        contact.normal_force = contact.shear_force = contact.overlap = 0.0;
+      },
+      [&](int slot, JointState& state) { state = arrays.joint_at(slot); });
   if (model.settings.rigid)
     model.blocks.applied.setZero();
   work.springs.both_agree();

@@ -84,8 +84,8 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
                  *work.workers, work.energy);
   work.springs.arrays_changed();
   if (reads) {
-    read_contacts(blocks, model.contacts, model.joint_states, settings, dt, work.index,
-                  work.contacts);
+    read_contacts(blocks, model.contacts, model.joint_states, settings, dt,
+                  work.contacts, work.split, *work.workers, work.forces);
     work.springs.both_agree();
   }
 

@@ -34,23 +34,4 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
   }
 }
 
-void write_list(const ContactArrays& arrays, std::vector<Contact>& list,
-                std::vector<JointState>& states) {
-  const ContactBatches& batches = arrays.batches;
-  list.clear();
-  states.clear();
-  for (int p = 0; p < static_cast<int>(arrays.lane_of_pair.size()); ++p)
-    arrays.each_slot(p, [&](int slot) {
-      if (!batches.is(slot, &ContactStates::acts))
-        return;
-      Contact& contact = list.emplace_back();
-      contact.corner = arrays.at(slot).corner;
-      contact.edge = arrays.at(slot).edge;
-      contact.normal_elastic = batches.at(slot, &SpringRow::normal_elastic);
-      contact.shear_elastic = batches.at(slot, &SpringRow::shear_elastic);
-      if (!arrays.laws.none())
-        states.push_back(arrays.joint_at(slot));
-    });
-}
-
 }  // namespace blocks::dynamics
