@@ -116,6 +116,8 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
 
   // 6. Blocks outside the domain, next search. Reads corners; writes fixities, search.
   update_domain(model, moved.left_domain, moved.largest);
+  if (moved.left_domain)
+    work.decisions.expire_exact();  // a block that is fixed now may be no third part
   if (model.energy.kept && moved.left_domain)
     count_fixed(model, work.contacts, work.split, *work.workers, work.energy);
 

@@ -23,7 +23,8 @@ struct Room {
   /// the exact rule.
   double motion = 0.0;
   /// [L] The largest path of any block (KeptDecisions::most) has to be less: a
-  /// neighbour may matter then. Infinite if neighbours do not matter.
+  /// neighbour may matter then. Infinite if no neighbour, not even a new one, can
+  /// matter.
   double until = 0.0;
   PairPose then;
 };

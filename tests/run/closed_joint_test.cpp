@@ -51,5 +51,44 @@ TEST(ClosedJoint, IsDecidedExactlyWhileABarTurns) {
   }
 }
 
+/// Cards of a slow run in a large domain.
+std::string slow_cards(const std::string& right_end) {
+  return "START, 10, 10\nSLOW\nXLIMITS, -50, " + right_end +
+         "\nYLIMITS, -50, 50\nBOXES, 20, 20, .02\nSTIFF, 1.E7, 1.E7\nFRACTION, .01\n"
+         "MATERIAL, 1, 1.E10, 4.E9, 1.E9\nRIGID\nEND\n";
+}
+
+/// Returns the number of wrong decisions in a run that audits every step.
+long wrong_decisions(const std::string& deck) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  blocks("run a.deck --audit=1", folder.path());
+  return summary(folder, "a")["audit"]["wrong_decisions"];
+}
+
+// Two blocks have no neighbour until a driven one comes from below. It hides a side of
+// the corner on which the upper block stands.
+TEST(ClosedJoint, IsSeenWhenAThirdBlockComes) {
+  EXPECT_EQ(wrong_decisions(slow_cards("50") +
+                            "CREATE, 4, 1, 1\n-2, -2, 0, 0\n-2, 0, 0, -2\n"
+                            "CREATE, 4, 1, 0\n-.005, -.005, 1, 1\n-.02, 1, 1, -.02\n"
+                            "CREATE, 4, 1, 1\n1, 1, 3, 3\n-3, -1, -1, -3\n"
+                            "DRIVE, 3, -.005, .005, 0\nPLOTS, 5\nMOTION, 202\nSTOP\n"),
+            0);
+}
+
+// The third block leaves the domain and becomes fixed, as the first one is, so it is a
+// third part no more.
+TEST(ClosedJoint, OpensWhenAThirdBlockIsFixed) {
+  EXPECT_EQ(
+      wrong_decisions(slow_cards("1.0003") +
+                      "CREATE, 3, 1, 1\n-1, .003, 1\n-1, .02, -1\n"
+                      "CREATE, 4, 1, 0\n-1, -1, 0, 0\n0, 1, 1, 0\n"
+                      "CREATE, 4, 1, 0\n0, 0, 1, 1\n0, 1, 1, 0\n"
+                      "SETVEL, 3, 0, .0001, 0, 0\nSETVEL, 2, 0, -.00000001, 0, 0\n"
+                      "CYCLE, 40\nSTOP\n"),
+      0);
+}
+
 }  // namespace
 }  // namespace blocks::testing

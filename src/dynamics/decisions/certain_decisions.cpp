@@ -13,6 +13,10 @@ namespace {
 /// part and the reach of a contact point (docs/kept-decisions.md#third-parts).
 constexpr double growth_per_room = 0.15;
 
+/// [L] The growth if there is no third part. It is finite, because a new neighbour may be
+/// one.
+constexpr double growth_alone = 0x1p1000;
+
 /// Adds the kernel's answer about two parts to the decision of their blocks.
 class LaneDecision {
  public:
@@ -121,7 +125,7 @@ class LaneDecision {
   int side_, facing_, corner_;
   const NearPair& pair_;
   double room_ = 0.0;
-  double growth_ = std::numeric_limits<double>::infinity();
+  double growth_ = growth_alone;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ struct CertainDecision {
   /// is 0, the pair is in doubt.
   double room = 0.0;
   /// [L] The decision holds while MotionBounds::most grows by less than this: then a
-  /// neighbour may matter. It is infinite if neighbours do not matter.
+  /// neighbour may matter. It is infinite if no neighbour can ever matter.
   double growth = std::numeric_limits<double>::infinity();
 };
 
