@@ -298,7 +298,7 @@ def parser():
         "Exit code 4: the wall is not at rest at the end. Writes validation/rest/REST.md.",
         (1_000_000, "steps"))
     command = add("bench", bench, "times of scenes in several states, against other codes",
-                  "Takes 6 minutes. Writes bench.md, bench.json and bench.png in the current "
+                  "Takes 13 minutes. Writes bench.md, bench.json and bench.png in the current "
                   "folder.")
     command.add_argument("parts", metavar="PART", nargs="*",
                          help="rock, wall, pile, slope, crater, subsidence, decks, search, predicates, "
