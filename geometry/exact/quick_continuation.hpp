@@ -100,15 +100,14 @@ struct PartOfSide {
 inline PartOfSide part_in(Outline polygon, int side, Outline other) {
   const Line own = line_of(polygon, side);
   PartOfSide part;
-  auto& [from, to, is_open] = part;
   bool is_empty = false;
   all_sides(other, [&](const Line& line) {
     const Estimate first = line.area(own.start), last = line.area(own.end);
     const std::optional<int> before = sign_below(line, own.start, first),
                              after = sign_below(line, own.end, last);
-    is_open = !before || !after;
-    if (is_open || (*before >= 0 && *after >= 0))
-      return !is_open;
+    part.is_open = !before || !after;
+    if (part.is_open || (*before >= 0 && *after >= 0))
+      return !part.is_open;
     is_empty = *before <= 0 && *after <= 0;
     if (is_empty)
       return false;
@@ -120,11 +119,13 @@ inline PartOfSide part_in(Outline polygon, int side, Outline other) {
                  bound =
                      2.0 * (std::max(first.bound, last.bound) / length) + filter::u8;
     if (*before > 0)
-      to = {std::min(to.least, at - bound), std::min(to.most, at + bound)};
+      part.to = {std::min(part.to.least, at - bound),
+                 std::min(part.to.most, at + bound)};
     else
-      from = {std::max(from.least, at - bound), std::max(from.most, at + bound)};
-    is_open = !(length < 0x1p900);
-    return !is_open;
+      part.from = {std::max(part.from.least, at - bound),
+                   std::max(part.from.most, at + bound)};
+    part.is_open = !(length < 0x1p900);
+    return !part.is_open;
   });
   if (is_empty)
     return {{1.0, 1.0}, {0.0, 0.0}};
