@@ -1,7 +1,10 @@
 #include "post/arrows.hpp"
+#include "post/half.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "post/half.hpp"
 
 namespace blocks::post {
 namespace {
@@ -90,14 +93,12 @@ void draw_arrows(Pen& pen, const Axes& axes, const Picture& picture,
   const Vector low(axes.left + to_frame, axes.top + to_frame),
       high(axes.right() - to_frame, axes.bottom() - to_frame);
   const Frame& now = picture.now;
-  const auto on_page = [&](const Vector& p) {
-    return Vector(axes.x(mirror_x ? 2.0 * *mirror_x - p.x() : p.x()), axes.y(p.y()));
-  };
+  const Half half{axes, mirror_x};
   const auto is_shown = [&](const std::vector<Vector>& outline) {
     Vector least = Vector::Constant(1e300), most = -least;
     for (const Vector& p : outline) {
-      least = least.cwiseMin(on_page(p));
-      most = most.cwiseMax(on_page(p));
+      least = least.cwiseMin(half.at(p));
+      most = most.cwiseMax(half.at(p));
     }
     return (most.array() >= low.array()).all() && (least.array() <= high.array()).all();
   };
@@ -111,7 +112,7 @@ void draw_arrows(Pen& pen, const Axes& axes, const Picture& picture,
     if (!(way.norm() >= shortest) ||
         !is_shown(now.outlines[static_cast<std::size_t>(b)]))
       continue;
-    const Vector from = on_page(now.centroid.col(b));
+    const Vector from = half.at(now.centroid.col(b));
     arrows.push_back({from, from + Vector(mirror_x ? -way.x() : way.x(), -way.y())});
   }
   std::stable_sort(arrows.begin(), arrows.end(), [](const Arrow& a, const Arrow& b) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "post/half.hpp"
 #include "post/joint_faces.hpp"
 #include "post/joint_style.hpp"
 
@@ -24,27 +25,15 @@ void set_bond_dashes(Pen& pen, Bond bond) {
 void draw_bond_sides(Pen& pen, const Axes& axes, const Picture& picture,
                      const FigureScales& scales,
                      const std::optional<double>& mirror_x) {
-  constexpr double share_of_block = 0.06, thinnest = 0.9, widest = 3.4, margin = 5.0;
+  constexpr double share_of_block = 0.06, thinnest = 0.9, widest = 3.4;
   const double width =
       std::clamp(share_of_block * scales.block_size * axes.scale(), thinnest, widest);
   cairo_t* cairo = pen.cairo();
-  const auto on_page = [&](const Eigen::Vector2d& p) {
-    return Eigen::Vector2d(axes.x(mirror_x ? 2.0 * *mirror_x - p.x() : p.x()),
-                           axes.y(p.y()));
-  };
-  const auto trace = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-    const Eigen::Vector2d a = on_page(from), b = on_page(to);
-    const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
-    if (high.x() < axes.left - margin || low.x() > axes.right() + margin ||
-        high.y() < axes.top - margin || low.y() > axes.bottom() + margin)
-      return;
-    cairo_move_to(cairo, a.x(), a.y());
-    cairo_line_to(cairo, b.x(), b.y());
-  };
+  const Half half{axes, mirror_x};
   pen.dashes({});
   for (const auto& outline : picture.now.outlines) {
     for (std::size_t k = 0; k < outline.size(); ++k)
-      trace(outline[k], outline[(k + 1) % outline.size()]);
+      half.trace(cairo, outline[k], outline[(k + 1) % outline.size()]);
     pen.stroke(std::min(0.4 * width, 0.8), no_joint_colour);
   }
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
@@ -52,7 +41,7 @@ void draw_bond_sides(Pen& pen, const Axes& axes, const Picture& picture,
     const bool failed = part.bond == Bond::failed || part.bond == Bond::weakened;
     const double share = scales.slip > 0.0 ? part.slip / scales.slip : 0.0;
     set_bond_dashes(pen, part.bond);
-    trace(part.from, part.to);
+    half.trace(cairo, part.from, part.to);
     pen.stroke(width, failed ? slip_colour(share) : bonded_colour);
   }
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);

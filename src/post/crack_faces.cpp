@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "post/half.hpp"
+
 namespace blocks::post {
 
 double crack_width(const Axes& axes, const FigureScales& scales) {
@@ -13,14 +15,10 @@ double crack_width(const Axes& axes, const FigureScales& scales) {
 void draw_crack_faces(Pen& pen, const Axes& axes, const Frame& now,
                       const CrackedBlocks& cracked, const FigureScales& scales,
                       const std::optional<double>& mirror_x) {
-  constexpr double margin = 5.0;  // more than half of a line
-  constexpr int most = 64;        // a path of many lines is slow
+  constexpr int most = 64;  // a path of many lines is slow
   cairo_t* cairo = pen.cairo();
   const double width = crack_width(axes, scales);
-  const auto on_page = [&](const Eigen::Vector2d& p) {
-    return Eigen::Vector2d(axes.x(mirror_x ? 2.0 * *mirror_x - p.x() : p.x()),
-                           axes.y(p.y()));
-  };
+  const Half half{axes, mirror_x};
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
   for (const bool rim : {true, false}) {
     const auto stroke = [&] {
@@ -35,15 +33,8 @@ void draw_crack_faces(Pen& pen, const Axes& axes, const Frame& now,
         const auto& outline = now.outlines[b];
         if (cracked.faces[b][k] == 0 || k >= outline.size())
           continue;
-        const Eigen::Vector2d from = on_page(outline[k]),
-                              to = on_page(outline[(k + 1) % outline.size()]);
-        const Eigen::Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
-        if (high.x() < axes.left - margin || low.x() > axes.right() + margin ||
-            high.y() < axes.top - margin || low.y() > axes.bottom() + margin)
-          continue;
-        cairo_move_to(cairo, from.x(), from.y());
-        cairo_line_to(cairo, to.x(), to.y());
-        if (++count % most == 0)
+        if (half.trace(cairo, outline[k], outline[(k + 1) % outline.size()]) &&
+            ++count % most == 0)
           stroke();
       }
     stroke();

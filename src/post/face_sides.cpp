@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "post/half.hpp"
+
 namespace blocks::post {
 
 Quantity face_quantity(const std::string& name) {
@@ -23,23 +25,11 @@ Eigen::Vector2d face_values(const std::string& name, const FaceMotion& motion,
 void draw_face_sides(Pen& pen, const Axes& axes, const Picture& picture,
                      const FigureScales& scales, const FigureOptions& options,
                      const std::optional<double>& mirror_x) {
-  constexpr double share_of_block = 0.1, thinnest = 2.2, widest = 5.0, margin = 5.0;
+  constexpr double share_of_block = 0.1, thinnest = 2.2, widest = 5.0;
   const double width =
       std::clamp(share_of_block * scales.block_size * axes.scale(), thinnest, widest);
   cairo_t* cairo = pen.cairo();
-  const auto on_page = [&](const Eigen::Vector2d& p) {
-    return Eigen::Vector2d(axes.x(mirror_x ? 2.0 * *mirror_x - p.x() : p.x()),
-                           axes.y(p.y()));
-  };
-  const auto trace = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
-    if (high.x() < axes.left - margin || low.x() > axes.right() + margin ||
-        high.y() < axes.top - margin || low.y() > axes.bottom() + margin)
-      return false;
-    cairo_move_to(cairo, a.x(), a.y());
-    cairo_line_to(cairo, b.x(), b.y());
-    return true;
-  };
+  const Half half{axes, mirror_x};
   const ColourMap map = map_of(options, Zero::middle, scales.colours);
   std::vector<std::pair<Eigen::Vector2d, FaceMotion>> faces;
   for (const FaceMotion& motion :
@@ -52,9 +42,9 @@ void draw_face_sides(Pen& pen, const Axes& axes, const Picture& picture,
   cairo_set_line_width(cairo, width);
   for (const auto& [values, motion] : faces)
     for (const auto& ends : {motion.own, motion.other}) {
-      const Eigen::Vector2d a = on_page(ends[0]), b = on_page(ends[1]);
-      if (!trace(a, b))
+      if (!half.trace(cairo, ends[0], ends[1]))
         continue;
+      const Eigen::Vector2d a = half.at(ends[0]), b = half.at(ends[1]);
       cairo_pattern_t* shades = cairo_pattern_create_linear(a.x(), a.y(), b.x(), b.y());
       constexpr int steps = 8;
       for (int i = 0; i <= steps; ++i) {
@@ -69,7 +59,7 @@ void draw_face_sides(Pen& pen, const Axes& axes, const Picture& picture,
     }
   for (const auto& outline : picture.now.outlines) {
     for (std::size_t k = 0; k < outline.size(); ++k)
-      trace(on_page(outline[k]), on_page(outline[(k + 1) % outline.size()]));
+      half.trace(cairo, outline[k], outline[(k + 1) % outline.size()]);
     pen.stroke(std::min(0.15 * width, 0.6), muted);
   }
 }

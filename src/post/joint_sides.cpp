@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "post/half.hpp"
 #include "post/joint_style.hpp"
 
 namespace blocks::post {
@@ -12,8 +13,7 @@ class JointSides {
  public:
   JointSides(Pen& pen, const Axes& axes, const Frame& frame,
              const std::optional<double>& mirror_x)
-      : pen_(pen), cairo_(pen.cairo()), axes_(axes), frame_(frame),
-        mirror_x_(mirror_x) {}
+      : pen_(pen), cairo_(pen.cairo()), frame_(frame), half_{axes, mirror_x} {}
 
   /// Draws the sides with this joint id. A path of many lines is slow, so it is
   /// stroked in parts.
@@ -33,30 +33,18 @@ class JointSides {
   }
 
  private:
-  Eigen::Vector2d on_page(const Eigen::Vector2d& p) const {
-    return {axes_.x(mirror_x_ ? 2.0 * *mirror_x_ - p.x() : p.x()), axes_.y(p.y())};
-  }
   /// Adds a side to the path unless it is outside of the plot.
   bool trace(Eigen::Vector2d from, Eigen::Vector2d to) {
     // Two blocks share a side, so its dashes must begin at the same end.
     if (to.x() < from.x() || (to.x() == from.x() && to.y() < from.y()))
       std::swap(from, to);
-    const Eigen::Vector2d a = on_page(from), b = on_page(to);
-    constexpr double margin = 5.0;  // more than half of a line
-    const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
-    if (high.x() < axes_.left - margin || low.x() > axes_.right() + margin ||
-        high.y() < axes_.top - margin || low.y() > axes_.bottom() + margin)
-      return false;
-    cairo_move_to(cairo_, a.x(), a.y());
-    cairo_line_to(cairo_, b.x(), b.y());
-    return true;
+    return half_.trace(cairo_, from, to);
   }
 
   Pen& pen_;
   cairo_t* cairo_;
-  const Axes& axes_;
   const Frame& frame_;
-  const std::optional<double>& mirror_x_;
+  Half half_;
 };
 
 }  // namespace

@@ -10,16 +10,14 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 
 #include "output/results.hpp"
 #include "post/axes.hpp"
-#include "post/figure_scales.hpp"
 #include "post/page_file.hpp"
 #include "post/pen.hpp"
 #include "post/quantity.hpp"
+#include "post/two_squares.hpp"
 #include "post/whole_file.hpp"
 
 namespace blocks::post {
@@ -31,41 +29,6 @@ using ::testing::Gt;
 using ::testing::HasSubstr;
 using ::testing::Lt;
 using ::testing::Not;
-
-/// Returns two unit squares side by side, of materials 1 and 2. The second one is
-/// fixed.
-Frame two_squares() {
-  Frame frame;
-  frame.outlines = {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}, {{1, 0}, {1, 1}, {2, 1}, {2, 0}}};
-  frame.number = {1, 2};
-  frame.material = {1, 2};
-  frame.fixed = {0, 1};
-  frame.centroid = (Eigen::Matrix2Xd(2, 2) << 0.5, 1.5, 0.5, 0.5).finished();
-  frame.velocity = (Eigen::Matrix2Xd(2, 2) << 3, 0, 4, 0).finished();
-  frame.angle = Eigen::Vector2d(0.1, -0.2);
-  frame.spin = Eigen::Vector2d::Zero();
-  frame.stress = Eigen::Matrix4Xd::Zero(4, 2);
-  frame.stress.col(0) << 3, 1, 1, 3;
-  return frame;
-}
-
-/// A new temporary folder. The destructor removes it.
-class Folder {
- public:
-  Folder() { std::filesystem::create_directories(path_); }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
-                                ("blocks_figure_" + std::to_string(getpid()));
-};
-
-/// Reads the whole file.
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 TEST(Figure, PaintsBlocksInTheColourOfTheirMaterial) {
   const Folder folder;
@@ -138,79 +101,6 @@ TEST(Figure, ReversesVectorsInTheMirrorImage) {
   EXPECT_NEAR(left, right, 0.02 * right);
 }
 
-// Stresses from 0 to 8 had a bar from -8 to 8, half of it without a value.
-TEST(Figure, ValuesOfOneSignHaveHalfOfADivergingMap) {
-  Frame frame = two_squares();
-  FigureOptions options;
-  options.colour = "VELX";
-  const auto scales = [&](double first, double second) {
-    frame.velocity.row(0) << first, second;
-    ScaleSurvey survey(options);
-    const FrameContacts none;
-    survey.include({frame, frame, none});
-    return survey.scales();
-  };
-  const auto colour = [&](const ValueRange& range, double value) {
-    const Colour at = map_of(options, Zero::middle, range).at(range.place(value));
-    return std::array{at.r, at.g, at.b};
-  };
-  const auto all = [](const Colour& c) { return std::array{c.r, c.g, c.b}; };
-  const ValueRange above = scales(3, 8).colours, below = scales(-8, -3).colours,
-                   both = scales(-3, 8).colours;
-  EXPECT_EQ(above.low, 0.0);
-  EXPECT_EQ(above.high, 8.0);
-  EXPECT_EQ(below.low, -8.0);
-  EXPECT_EQ(below.high, 0.0);
-  EXPECT_EQ(both.low, -8.0);
-  EXPECT_EQ(both.high, 8.0);
-  for (const ValueRange& range : {above, below, both})
-    EXPECT_EQ(colour(range, 0), all(diverging(0.5)));
-  EXPECT_EQ(colour(above, 8), all(diverging(1)));
-  EXPECT_EQ(colour(below, -8), all(diverging(0)));
-}
-
-TEST(Figure, AQuantityThatIsZeroEverywhereHasNoBar) {
-  const Folder folder;
-  const std::string path = folder.file("zero.svg");
-  Frame frame = two_squares();
-  frame.velocity.setZero();
-  for (const char* name : {"VELX", "speed"}) {
-    FigureOptions options;
-    options.colour = name;
-    draw_frame(path, frame, frame, "at rest", options);
-    EXPECT_NE(content(path).find(">0 everywhere<"), std::string::npos) << name;
-    options.range = Eigen::Vector2d(0, 4);
-    draw_frame(path, frame, frame, "at rest", options);
-    EXPECT_EQ(content(path).find(">0 everywhere<"), std::string::npos) << name;
-  }
-}
-
-// The arrow of one loose block must not hide those of all others.
-TEST(Figure, TakesAScaleOfArrowsFromTheOptions) {
-  Frame frame = two_squares();
-  FigureOptions options;
-  options.arrows = "velocity";
-  frame.fixed = {0, 0};
-  frame.velocity << 0.01, 5, 0, 0;
-  const auto scales = [&](std::optional<ArrowScale> scale) {
-    options.arrow_scale = scale;
-    ScaleSurvey survey(options);
-    const FrameContacts none;
-    survey.include({frame, frame, none});
-    return survey.scales();
-  };
-  EXPECT_EQ(scales({}).arrow, 5.0);
-  EXPECT_FALSE(scales({}).cuts_arrows);
-  EXPECT_EQ(scales(ArrowScale{6.0}).arrow, 6.0);
-  EXPECT_FALSE(scales(ArrowScale{6.0}).cuts_arrows);
-  EXPECT_EQ(scales(ArrowScale{0.0, 0.0}).arrow, 0.01);
-  EXPECT_EQ(scales(ArrowScale{0.02}).arrow, 0.02);
-  EXPECT_TRUE(scales(ArrowScale{0.02}).cuts_arrows);
-  const Folder folder;
-  draw_frame(folder.file("a.svg"), frame, frame, "two squares", options);
-  EXPECT_THAT(content(folder.file("a.svg")), HasSubstr("≥ 0.02 "));
-}
-
 // Zoom cut arrows anywhere, so that some had no head.
 TEST(Figure, AnArrowThatLeavesThePictureEndsAtItsFrameWithAnOpenHead) {
   const Folder folder;
@@ -236,24 +126,6 @@ TEST(Figure, AnArrowThatLeavesThePictureEndsAtItsFrameWithAnOpenHead) {
   EXPECT_THAT(colour_at(axes.right() - to_frame - 0.6 * head), Each(Gt(240)));
   EXPECT_THAT(colour_at(axes.right() - to_frame - 2.0 * head), Each(Lt(130)));
   cairo_surface_destroy(image);
-}
-
-TEST(Figure, SaysWhichEndsOfTheRangeCutValues) {
-  Frame frame = two_squares();
-  FigureOptions options;
-  options.colour = "VELX";
-  frame.velocity.row(0) << 3, 8;
-  const auto cuts = [&](double low, double high) {
-    options.range = Eigen::Vector2d(low, high);
-    ScaleSurvey survey(options);
-    const FrameContacts none;
-    survey.include({frame, frame, none});
-    const FigureScales scales = survey.scales();
-    return std::pair{scales.cuts_low, scales.cuts_high};
-  };
-  EXPECT_EQ(cuts(3, 8), std::pair(false, false));
-  EXPECT_EQ(cuts(4, 8), std::pair(true, false));
-  EXPECT_EQ(cuts(0, 7), std::pair(false, true));
 }
 
 /// Returns a figure of the two squares in print, one column wide.
