@@ -1,5 +1,5 @@
 // PRIVATE to geometry/: what a third polygon changes where two others overlap
-// (docs/contact-rule.md), as templates over the number type. With rationals each answer
+// (docs/contact-rule.md), as templates over the number type. With quotients each answer
 // is exact. With intervals a comparison that they cannot decide throws.
 #pragma once
 

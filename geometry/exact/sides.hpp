@@ -1,5 +1,5 @@
 // PRIVATE to geometry/: the part of a side that lies in a convex polygon, exactly or as
-// bounds. The number type is a rational or an interval of doubles.
+// bounds. The number type is a quotient, a rational or an interval of doubles.
 #pragma once
 
 #include <CGAL/Interval_nt.h>

@@ -17,7 +17,7 @@ struct PairPose {
   Eigen::Vector4d high = Eigen::Vector4d::Zero();  ///< the same of the second
 };
 
-/// How long a decision certainly holds. A new one is made in the next step.
+/// How long a decision certainly holds. The default has ended already.
 struct Room {
   /// [L] The motion of the two blocks since `then` has to be less. 0 for decisions of
   /// the exact rule.

@@ -62,7 +62,8 @@ void expect_counts(const char* name, long counted, std::size_t rows) {
 
 void expect_kept(const Model& model) {
   const KeptDecisions& kept = model.kept;
-  expect_index("kept/blocks", kept.blocks, model.blocks.size() + 1);
+  expect("kept/blocks", kept.blocks,
+         {0.0, static_cast<double>(model.blocks.size()), "at most the number of blocks"});
   expect("kept/most", kept.most, not_negative);
   expect_poses("kept/poses", kept.poses, model.blocks.size());
   std::pair last(-1, -1);

@@ -216,12 +216,12 @@ def disc(results, _):
 
 def roof(results, _):
     cracks = results.summary["cracks"]
-    yield from ()  # the number of cracks is chaotic
     assert 25 <= len(cracks) <= 110, len(cracks)
     to_5_m = results.summary["time"] - 2.0
     assert cracks[0]["time"] > to_5_m, cracks[0]
     lowest_bed = [crack for crack in cracks if 12 <= crack["parent"] < 52]
     assert len(lowest_bed) >= len(cracks) / 3, cracks
+    return ()  # the numbers of the page are ranges
 
 
 def crater_cracks(results, _):

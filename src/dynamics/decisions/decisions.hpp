@@ -27,10 +27,9 @@ struct Renewal {
 
 struct Decisions {
   MotionBounds bounds;
-  /// (pairs) How long the decisions hold that certainly do. Those that end at once are
-  /// of the exact rule, or are not kept.
+  /// (pairs) How long the certain decisions hold; the default for all others.
   std::vector<Room> rooms;
-  /// (pairs) The same for decisions of the exact rule.
+  /// (pairs) When the decisions of the exact rule end; empty for all others.
   std::vector<Renewal> renewals;
   /// (pairs) [L] The decision certainly holds while MotionBounds::most is less than
   /// this.
