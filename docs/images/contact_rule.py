@@ -43,6 +43,31 @@ def faces():
     p.save("rule-faces.svg")
 
 
+def carries():
+    """A corner beside a joint by rounding: the pair is left to T, which carries the block."""
+    p = Picture(780, 270)
+    for x, aside, title in ((20, 3, "doubtful: own is left to T, which carries"),
+                            (410, 40, "not doubtful: own and T act")):
+        joint, left = x + 190, x + 190 - aside
+        p.block([(x, 130), (joint, 130), (joint, 230), (x, 230)], ROCK, "own", (x + 40, 205))
+        p.block([(joint, 130), (x + 350, 130), (x + 350, 230), (joint, 230)], ROCK, "T",
+                (x + 310, 205))
+        p.block([(left, 40), (x + 300, 40), (x + 300, 150), (left, 150)], OTHER, "other",
+                (x + 250, 75))
+        p.line((joint, 130), (joint, 230), HIDDEN, 3)
+        p.line((x, 130), (joint, 130), INK if aside < 10 else ACTS, 3)
+        p.dot(x + 300, 150)
+        p.dot(joint, 130)
+        if aside < 10:
+            p.text(joint - 10, 100, "overlap within the slack", INK, "end", 12)
+            p.line((joint - 60, 106), (joint - 6, 138), INK, 1, arrow=True)
+        else:
+            p.dot(left, 150)
+        p.text(joint + 6, 190, "hidden by T", HIDDEN, "start", 12)
+        p.text(x + 175, 258, title, INK, "middle", 12)
+    p.save("rule-carries.svg")
+
+
 def far():
     """A far corner, and a deep tip that is not far because a third part holds it."""
     p = Picture(780, 290)
@@ -141,5 +166,5 @@ def notch():
 
 
 if __name__ == "__main__":
-    for figure in (axis, faces, far, local, slides, notch):
+    for figure in (axis, carries, faces, far, local, slides, notch):
         figure()

@@ -31,7 +31,7 @@ std::string check_report(const std::string& file, const Model& model,
   for (const LayerRecord& layer : model.layers)
     text += fmt::format(
         "layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "
-        "{} outline sides; {} angles of {} sides redrawn, {} sides ruled\n",
+        "{} outline sides\n  {} angles of {} sides redrawn, {} sides ruled\n",
         layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
         layer.cells, layer.interior_edges, layer.outline_edges, layer.redrawn,
         layer.redrawn_sides, layer.ruled);
