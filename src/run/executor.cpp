@@ -38,8 +38,10 @@ Executor::Executor(Model& model, RunFiles& files, Console& console,
     : model_(model), files_(files), console_(console), options_(options),
       work_(threads_of(options)), stepper_(model, work_), audit_(options.audit_every),
       watch_(model), recorder_(files.results()) {
-  if (options.profile)
-    work_.profile = &profile_;
+  if (!options.profile)
+    return;
+  work_.profile = &profile_;
+  work_.workers->measure(&profile_.in_workers);
 }
 
 void Executor::resume(const output::Progress& progress) {

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "dynamics/step.hpp"
+#include "dynamics/support/profile.hpp"
 #include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
 #include "geometry/contact_constants.hpp"
@@ -36,6 +39,32 @@ TEST(Workers, ProcessEveryItemOnce) {
       for (const std::atomic<int>& times : done)
         ASSERT_EQ(times, 50);
     }
+  }
+}
+
+// What is not inside each() is serial, on any number of threads.
+TEST(Workers, MeasureTheTimeInWhichAllWork) {
+  using dynamics::Profile;
+  for (const int threads : {1, 2}) {
+    Profile profile;
+    dynamics::Workers workers(threads);
+    workers.measure(&profile.in_workers);
+    const auto sleep = [](int milliseconds) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    };
+    std::vector<int> begins;
+    for (int k = 0; k <= threads; ++k)
+      begins.push_back(k);
+    {
+      Profile::Timer timer(&profile, Profile::decisions);
+      workers.each(begins, [&](int, int, int) { sleep(20); });
+      timer.next(Profile::forces);
+      sleep(20);
+    }
+    EXPECT_GE(profile.shared[Profile::decisions], 0.02);
+    EXPECT_LE(profile.shared[Profile::decisions], profile.seconds[Profile::decisions]);
+    EXPECT_EQ(profile.shared[Profile::forces], 0.0);
+    EXPECT_GE(profile.seconds[Profile::forces], 0.02);
   }
 }
 

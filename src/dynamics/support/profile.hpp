@@ -12,6 +12,10 @@ struct Profile {
   enum Phase { building, search, decisions, forces, motion, output, phases };
 
   std::array<double, phases> seconds{};
+  /// [s] The part of `seconds` in which all threads work. The rest is serial: one
+  /// thread works while the others wait.
+  std::array<double, phases> shared{};
+  double in_workers = 0.0;  ///< [s] the time of all calls so far (Workers::measure)
   unsigned long long exact_calls = 0;
 
   /// Adds the elapsed time to the current phase until the timer is destroyed. With a
@@ -20,7 +24,7 @@ struct Profile {
    public:
     Timer(Profile* profile, Phase phase) : profile_(profile), phase_(phase) {
       if (profile_ != nullptr)
-        began_ = std::chrono::steady_clock::now();
+        began_ = std::chrono::steady_clock::now(), in_workers_ = profile_->in_workers;
     }
     ~Timer() { next(phase_); }
     /// Ends the current phase and begins another one.
@@ -29,7 +33,8 @@ struct Profile {
         return;
       const auto now = std::chrono::steady_clock::now();
       profile_->seconds[phase_] += std::chrono::duration<double>(now - began_).count();
-      phase_ = phase, began_ = now;
+      profile_->shared[phase_] += profile_->in_workers - in_workers_;
+      phase_ = phase, began_ = now, in_workers_ = profile_->in_workers;
     }
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
@@ -38,6 +43,7 @@ struct Profile {
     Profile* profile_;
     Phase phase_;
     std::chrono::steady_clock::time_point began_;
+    double in_workers_ = 0.0;
   };
 };
 

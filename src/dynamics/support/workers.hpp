@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <thread>
@@ -20,6 +21,8 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
+  /// Adds the time that calls of each() take to a number, [s].
+  void measure(double* seconds) { seconds_ = seconds; }
 
   /// Calls work(thread, first, last) for ranges of items on all threads at the same
   /// time. A thread may be called any number of times. Thread k begins with the
@@ -29,6 +32,7 @@ class Workers {
   /// Returns when all items are done. `work` must not throw and must not call each().
   /// Allocates nothing.
   template <class Work> void each(const std::vector<int>& begins, const Work& work) {
+    const Watch watch(seconds_);
     const int shares = static_cast<int>(begins.size()) - 1;
     if (shares == 1) {
       work(0, begins.front(), begins.back());
@@ -41,6 +45,26 @@ class Workers {
   }
 
  private:
+  /// Adds the time until it is destroyed, if there is a number to add it to.
+  class Watch {
+   public:
+    explicit Watch(double* seconds) : seconds_(seconds) {
+      if (seconds_ != nullptr)
+        began_ = std::chrono::steady_clock::now();
+    }
+    ~Watch() {
+      if (seconds_ != nullptr)
+        *seconds_ +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began_)
+                .count();
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+   private:
+    double* seconds_;
+    std::chrono::steady_clock::time_point began_;
+  };
   struct Task {
     void (*call)(const void*, int, int, int) = nullptr;
     const void* work = nullptr;
@@ -62,6 +86,7 @@ class Workers {
   std::atomic<bool> over_ = false;
   std::unique_ptr<Share[]> shares_;  ///< (threads)
   std::vector<std::thread> others_;
+  double* seconds_ = nullptr;
 };
 
 }  // namespace blocks::dynamics
