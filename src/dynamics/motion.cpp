@@ -174,15 +174,15 @@ void update_damped_strain(Blocks& blocks, BlockRange range, const Settings& sett
   });
 }
 
-Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
+Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds,
                           const Settings& settings, double dt, const Kernels& by) {
   const BlockColumns columns = columns_of(blocks);
   const Rectangle domain = {settings.lower.x(), settings.lower.y(), settings.upper.x(),
                             settings.upper.y()};
   Displacement result;
   each_part(range, [&](int first, int last) {
-    const Moved moved = by.move(columns, bounds.longest.data(), domain, settings.rigid,
-                                first, last, dt);
+    const Moved moved = by.move(columns, bounds.longest.data(), bounds.path.data(),
+                                domain, settings.rigid, first, last, dt);
     Displacement part{.largest = moved.largest,
                       .block = moved.block,
                       .bound = moved.bound,
@@ -196,8 +196,8 @@ Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& 
 }
 
 Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
-                         const MotionBounds& bounds, const Settings& settings,
-                         double dt, const Kernels& by) {
+                         MotionBounds& bounds, const Settings& settings, double dt,
+                         const Kernels& by) {
   Displacement all;
   for (const Drive& drive : drives) {
     // The kernel moves free blocks only.

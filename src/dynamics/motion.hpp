@@ -96,16 +96,16 @@ void update_damped_strain(Blocks& blocks, BlockRange range, const Settings& sett
 
 /// (3), (13)-(15): updates centroids, angles, deformation gradients and corners. The
 /// gradient becomes R (I + strain rate dt) gradient, where R is the Cayley rotation of
-/// spin dt. R also turns stress and strain rate. Of `bounds`, only the longest arms are
-/// read.
-Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
+/// spin dt. R also turns stress and strain rate. Reads bounds.longest, advances
+/// bounds.path.
+Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds,
                           const Settings& settings, double dt,
                           const Kernels& by = kernels());
 
 /// Moves driven blocks at their velocity and spin, as move_corners moves free blocks.
 /// No force acts on them.
 Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
-                         const MotionBounds& bounds, const Settings& settings,
-                         double dt, const Kernels& by = kernels());
+                         MotionBounds& bounds, const Settings& settings, double dt,
+                         const Kernels& by = kernels());
 
 }  // namespace blocks::dynamics

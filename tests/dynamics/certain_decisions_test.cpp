@@ -129,7 +129,8 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
           if (b != pair.low && b != pair.high)
             cluster.move(b, cluster.clusters.uniform(0.0, 1.0) * growth);
         decisions.bounds.most = most + std::max(growth, common);
-        if (decisions.growth_left(blocks, cluster.work.parts, pair, p) > 0.0) {
+        decisions.next_examination[p] = {};
+        if (decisions.holds(blocks, cluster.work.parts, pair, p)) {
           const Contacts after = cluster.exact(p);
           ASSERT_EQ(cluster.acting(p), after) << "pair " << p << " moved by " << own;
           ++count.moved;

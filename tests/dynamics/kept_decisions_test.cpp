@@ -30,6 +30,7 @@ Decisions made(const PairIndex& index, double until) {
   Decisions decisions;
   for (int p = 0; p < index.size(); ++p) {
     decisions.rooms.push_back({.motion = 1.0 + p, .until = until, .then = {}});
+    decisions.next_examination.push_back({0.5 + p, infinite});
     decisions.next_check.push_back(0.25 + p);
     decisions.renewals.emplace_back();
   }
@@ -163,7 +164,8 @@ struct Row {
   }
   bool holds() {
     decisions.bounds.grow(1e-2);
-    return decisions.growth_left(model.blocks, parts, index.pairs[0], 0) > 0.0;
+    decisions.next_examination[0] = {};
+    return decisions.holds(model.blocks, parts, index.pairs[0], 0);
   }
 };
 

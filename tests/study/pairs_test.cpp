@@ -38,8 +38,7 @@ long compare(const Model& start, int steps, double most_apart = 0.0) {
     run->find(kept, a), run->find(decided, b);
     run->step(kept, a), dynamics::step_by(WithoutKeptDecisions(), decided, b);
     for (int p = 0; p < a.index.size(); ++p)
-      reused +=
-          a.decisions.growth_left(kept.blocks, a.parts, a.index.pairs[p], p) > 0.0;
+      reused += a.decisions.holds(kept.blocks, a.parts, a.index.pairs[p], p);
     const double apart =
         (kept.blocks.corner - decided.blocks.corner).cwiseAbs().maxCoeff();
     if (apart > most_apart ||

@@ -132,8 +132,7 @@ TEST(DefaultVariant, GivesTheBitsOfARun) {
       variant->find(studied, b);
       variant->step(studied, b);
       for (int p = 0; p < b.index.size(); ++p)
-        kept +=
-            b.decisions.growth_left(studied.blocks, b.parts, b.index.pairs[p], p) > 0.0;
+        kept += b.decisions.holds(studied.blocks, b.parts, b.index.pairs[p], p);
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;

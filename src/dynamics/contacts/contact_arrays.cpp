@@ -115,7 +115,6 @@ void ContactArrays::copy_contacts(ContactsOfPairs& all) const {
 }
 
 void ContactArrays::require_slots(const ContactsOfPairs& some, bool grown) {
-  constexpr int contacts_of_two_faces = 4;
   for (std::size_t k = 0; k < some.pair.size(); ++k) {
     if (some.pair[k] < 0)
       continue;

@@ -19,6 +19,9 @@ namespace blocks::dynamics {
 inline constexpr int pairs_of_window = 256;
 
 struct ContactArrays {
+  /// Both ends of each of two faces may act on the other one.
+  static constexpr int contacts_of_two_faces = 4;
+
   ContactBatches batches;
   LawTable laws;
   std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts

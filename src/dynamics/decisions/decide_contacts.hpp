@@ -91,22 +91,20 @@ void find_due(const Blocks& blocks, const BlockParts& parts, const PairIndex& in
               Decisions& decisions, int begin, int end, std::vector<int>& due) {
   const double most = decisions.bounds.most;
   due.clear();
-  for (int p = begin; p < end; ++p) {
-    if (Rules::keeps_decisions && most < decisions.next_check[p])
-      continue;
-    const double left = Rules::keeps_decisions
-                            ? decisions.growth_left(blocks, parts, index.pairs[p], p)
-                            : 0.0;
-    if (left > 0.0)
-      decisions.next_check[p] = most + left;
-    else
+  for (int p = begin; p < end; ++p)
+    if (!Rules::keeps_decisions || !(most < decisions.next_check[p] ||
+                                     decisions.holds(blocks, parts, index.pairs[p], p)))
       due.push_back(p);
-  }
 }
 
 /// Merges the results of the threads: the pairs that have outgrown their slots, in
 /// order, and the released springs.
 void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released);
+
+/// Gives slots to pairs that have none and may touch soon. Call it before the arrays
+/// are rebuilt.
+void expect_contacts(const PairIndex& index, const Decisions& decisions,
+                     ContactArrays& arrays);
 
 /// Decides the pairs whose decisions have expired and assigns their contacts to slots.
 /// Reads blocks and motion bounds; writes decisions and arrays. The springs of contacts
@@ -132,6 +130,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
   join_changes(memory, released);
   if (memory.grown.pair.empty())
     return;
+  expect_contacts(index, decisions, arrays);
   arrays.copy_contacts(memory.kept);
   arrays.make(blocks, settings, index, memory.kept, memory.grown);
   split.split_batches(arrays.first_batch);

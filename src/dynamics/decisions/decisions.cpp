@@ -11,9 +11,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// While MotionBounds::most grows by d, shift and turn of one block together grow by at
-/// most d, so the motion of a pair by at most 2 d. The rest covers rounding.
-constexpr double motion_per_growth = 2.000001;
+/// The motion of a pair grows by at most what the paths of its two blocks grow by. The
+/// rest covers rounding.
+constexpr double motion_per_path = 1.000001;
+/// No path grows by more than MotionBounds::most.
+constexpr double motion_per_growth = 2.0 * motion_per_path;
 
 /// Returns which blocks have a neighbour that is new or has changed, (blocks).
 std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
@@ -48,6 +50,7 @@ bool has_corners_of(const Blocks& blocks, const KeptPose& pose) {
 
 void Decisions::reset(int pairs) {
   rooms.assign(static_cast<std::size_t>(pairs), {});
+  next_examination.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
   renewals.assign(static_cast<std::size_t>(pairs), {});
 }
@@ -57,9 +60,11 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
   const std::vector<char> touched =
       with_new_neighbours(now.neighbours, old.neighbours, changed);
   std::vector<Room> old_rooms(now.pairs.size());
+  std::vector<NextExamination> old_examination(now.pairs.size());
   std::vector<double> old_checks(now.pairs.size(), 0.0);
   std::vector<Renewal> old_renewals(now.pairs.size());
-  rooms.swap(old_rooms), next_check.swap(old_checks), renewals.swap(old_renewals);
+  rooms.swap(old_rooms), renewals.swap(old_renewals);
+  next_examination.swap(old_examination), next_check.swap(old_checks);
   std::size_t k = 0;
   for (std::size_t p = 0; p < now.pairs.size(); ++p) {
     const auto [low, high] = now.pairs[p];
@@ -72,7 +77,8 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
     const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
     if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
-    rooms[p] = old_rooms[k], next_check[p] = old_checks[k];
+    rooms[p] = old_rooms[k], next_examination[p] = old_examination[k];
+    next_check[p] = old_checks[k];
     std::swap(renewals[p], old_renewals[k]);
   }
 }
@@ -85,7 +91,7 @@ void Decisions::keep_certain(const Blocks& blocks, const NearPair& pair, int p,
               bounds.most + growth,
               {blocks.centroid.col(high) - blocks.centroid.col(low),
                blocks.gradient.col(low), blocks.gradient.col(high)}};
-  next_check[p] = bounds.most + std::min(room / motion_per_growth, growth);
+  postpone(pair, p, room, rooms[p].until);
 }
 
 void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
@@ -110,8 +116,9 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
     if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&
         !has_corners_of(blocks, pose))
       return expire(p);
-  renewal.next_check = 0.0;
-  next_check[p] = bounds.most + growth_left(blocks, parts, index.pairs[p], p);
+  renewal.next_check = bounds.most + renewal_motion(low, high) / motion_per_growth;
+  next_examination[p] = {};
+  holds(blocks, parts, index.pairs[p], p);
 }
 
 double Decisions::motion_since(const Blocks& blocks, const NearPair& pair,
@@ -136,6 +143,10 @@ double Decisions::motion_since(const Blocks& blocks,
   for (const KeptPose& pose : kept)
     most = std::max(most, 1.0000001 * (shift(pose) - own).norm() + turn(pose));
   return most + turn(kept.front());
+}
+
+double Decisions::renewal_motion(int low, int high) const {
+  return geometry::renewal_of_arm * std::min(bounds.longest[low], bounds.longest[high]);
 }
 
 double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts,
@@ -165,32 +176,43 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
   return least;
 }
 
-double Decisions::growth_left(const Blocks& blocks, const BlockParts& parts,
-                              const NearPair& pair, int p) {
+bool Decisions::postpone(const NearPair& pair, int p, double motion, double all) {
+  next_examination[p] = {bounds.path_of(pair.low, pair.high) + motion / motion_per_path,
+                         all};
+  return is_postponed(pair, p);
+}
+
+bool Decisions::is_postponed(const NearPair& pair, int p) {
+  const double own = next_examination[p].own - bounds.path_of(pair.low, pair.high),
+               growth = std::min(0.5 * own, next_examination[p].all - bounds.most);
+  next_check[p] = bounds.most + growth;
+  return growth > 0.0;
+}
+
+bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
+                      const NearPair& pair, int p) {
+  if (is_postponed(pair, p))
+    return true;
   Renewal& renewal = renewals[p];
   const auto [low, high] = pair;
   if (renewal.empty()) {
     const Room& room = rooms[p];
-    return std::min((room.motion - motion_since(blocks, pair, room.then)) /
-                        motion_per_growth,
-                    room.until - bounds.most);
+    return postpone(pair, p, room.motion - motion_since(blocks, pair, room.then),
+                    room.until);
   }
   const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
   if (!(to_limits > 0.0))
-    return 0.0;
+    return false;
   if (!(bounds.most < renewal.next_check)) {
-    const double limit =
-        geometry::renewal_of_arm * std::min(bounds.longest[low], bounds.longest[high]);
-    const double left = limit - motion_since(blocks, renewal.poses);
+    const double left = renewal_motion(low, high) - motion_since(blocks, renewal.poses);
     renewal.next_check = bounds.most + left / motion_per_growth;
   }
   // Corners are rounded in each step. At a distance below that, every step checks.
   const double rounding =
       0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
                  blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
-  return std::min(std::max((to_limits - rounding) / motion_per_growth,
-                           std::numeric_limits<double>::min()),
-                  renewal.next_check - bounds.most);
+  postpone(pair, p, to_limits - rounding, renewal.next_check);
+  return bounds.most < renewal.next_check;
 }
 
 }  // namespace blocks::dynamics

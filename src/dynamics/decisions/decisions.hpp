@@ -25,14 +25,21 @@ struct Renewal {
   void clear() { poses.clear(), depths.clear(), next_check = 0.0; }
 };
 
+/// When a decision has to be examined: it certainly holds while the paths of its two
+/// blocks are together less than `own`, and MotionBounds::most is less than `all`, [L].
+struct NextExamination {
+  double own = 0.0, all = 0.0;
+};
+
 struct Decisions {
   MotionBounds bounds;
   /// (pairs) How long the certain decisions hold; the default for all others.
   std::vector<Room> rooms;
   /// (pairs) When the decisions of the exact rule end; empty for all others.
   std::vector<Renewal> renewals;
-  /// (pairs) [L] The decision certainly holds while MotionBounds::most is less than
-  /// this.
+  std::vector<NextExamination> next_examination;  ///< (pairs)
+  /// (pairs) [L] The same in one number: no path is read while MotionBounds::most is
+  /// less than this.
   std::vector<double> next_check;
 
   /// Discards all decisions. pairs: the number of pairs.
@@ -43,7 +50,9 @@ struct Decisions {
   void keep_in(const PairIndex& now, const PairIndex& old,
                const std::vector<char>& changed);
   /// Discards the decision of pair p.
-  void expire(int p) { rooms[p] = {}, next_check[p] = 0.0, renewals[p].clear(); }
+  void expire(int p) {
+    rooms[p] = {}, renewals[p].clear(), next_examination[p] = {}, next_check[p] = 0.0;
+  }
   /// Discards the decisions of the exact rule. All others certainly hold.
   void expire_exact() {
     for (std::size_t p = 0; p < renewals.size(); ++p)
@@ -60,20 +69,31 @@ struct Decisions {
   void keep_exact(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
                   int p, const std::vector<KeptDepth>& depths);
 
-  /// Returns by how much MotionBounds::most may grow before the decision of pair p may
-  /// expire, [L]. If the result is not positive, the decision has expired.
-  double growth_left(const Blocks& blocks, const BlockParts& parts,
-                     const NearPair& pair, int p);
+  /// Returns whether the decision of pair p still holds. Examines it only if it may
+  /// have expired since the last time.
+  bool holds(const Blocks& blocks, const BlockParts& parts, const NearPair& pair,
+             int p);
   /// Returns the motion of the two blocks since a decision was made, [L].
   double motion_since(const Blocks& blocks, const NearPair& pair,
                       const PairPose& then) const;
   /// Returns by how much blocks have moved against the first one since they were at
   /// these poses, [L].
   double motion_since(const Blocks& blocks, const std::vector<KeptPose>& kept) const;
+  /// Returns the motion at which a decision of the exact rule about two blocks ends,
+  /// [L].
+  double renewal_motion(int low, int high) const;
   /// Returns the smallest motion of a pair that can take a depth to one of its limits,
   /// [L]; not positive if a depth has passed one.
   double motion_to_limits(const Blocks& blocks, const BlockParts& parts,
                           const std::vector<KeptDepth>& depths) const;
+
+ private:
+  /// Postpones the next examination of pair p until its motion may have grown by
+  /// `motion`, or MotionBounds::most has reached `all`, [L]. Returns whether that is
+  /// later than now.
+  bool postpone(const NearPair& pair, int p, double motion, double all);
+  /// Returns whether the next examination of pair p is still to come; sets next_check.
+  bool is_postponed(const NearPair& pair, int p);
 };
 
 }  // namespace blocks::dynamics

@@ -25,11 +25,13 @@ void MotionBounds::start(const Blocks& blocks, bool rigid_blocks) {
   rounding = longest.empty()
                  ? 0.0
                  : 0x1p-50 * *std::max_element(longest.begin(), longest.end());
+  path.assign(longest.size(), 0.0);
   most = 0.0;
 }
 
 void MotionBounds::take_in(const Blocks& blocks, const std::vector<char>& changed) {
   longest.resize(static_cast<std::size_t>(blocks.size()));
+  path.resize(longest.size(), 0.0);
   for (int b = 0; b < blocks.size(); ++b)
     if (changed[static_cast<std::size_t>(b)] != 0)
       longest[static_cast<std::size_t>(b)] = longest_arm(blocks, b);

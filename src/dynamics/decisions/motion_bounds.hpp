@@ -15,16 +15,21 @@ struct MotionBounds {
   bool rigid = true;
   /// (n) [L] longest arm of the undeformed block, rounded up
   std::vector<double> longest;
+  /// (n) [L] An upper bound of the path of each block. It is the sum over the steps of
+  /// the motion of the centroid plus twice the change of the longest arm.
+  std::vector<double> path;
   /// [L] bound of the error of a corner that comes from rounding its arm
   double rounding = 0.0;
-  /// [L] An upper bound of the path of each block. It is the sum over the steps of the
-  /// largest value, over all blocks, of the motion of the centroid plus twice the
-  /// change of the longest arm.
+  /// [L] The same for all blocks: the sum over the steps of the largest value, over all
+  /// blocks, that a step adds to `path`.
   double most = 0.0;
 
   /// Adds a step to `most`. bound: Displacement::bound, or infinity if the state is not
   /// finite.
   void grow(double bound) { most += bound + 0x1p-52 * most; }
+  /// Returns the sum of the paths of two blocks. Their motion
+  /// (docs/kept-decisions.md#motion-of-a-pair) grows by no more than this sum.
+  double path_of(int a, int b) const { return path[a] + path[b]; }
   /// Takes the arms of these blocks and begins at 0.
   void start(const Blocks& blocks, bool rigid_blocks);
   /// Takes the arms of pieces of blocks that have split. changed: (n) whether a block

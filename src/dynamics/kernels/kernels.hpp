@@ -46,10 +46,10 @@ struct Kernels {
   void (*update_damped_strain)(const BlockColumns&, const Moduli&,
                                const VibrationDamping&, int begin, int end, double kick,
                                double dt);
-  /// (3), (13)-(15): moves at most max_at_once blocks. longest_arm:
-  /// MotionBounds::longest.
-  Moved (*move)(const BlockColumns&, const double* longest_arm, const Rectangle& domain,
-                bool rigid, int begin, int end, double dt);
+  /// (3), (13)-(15): moves at most max_at_once blocks. longest_arm and path: the
+  /// columns of MotionBounds.
+  Moved (*move)(const BlockColumns&, const double* longest_arm, double* path,
+                const Rectangle& domain, bool rigid, int begin, int end, double dt);
 };
 
 /// Returns the kernels that this processor can run. The first is the baseline, the last

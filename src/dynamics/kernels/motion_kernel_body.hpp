@@ -119,8 +119,8 @@ BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Pack re
 /// Moves the blocks of a pack, which begins with block b.
 template <bool rigid, class Lanes>
 BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_arm,
-                             const Rectangle& domain, int first, int b, Lanes lanes,
-                             double dt, MovedLanes& moved) {
+                             double* path, const Rectangle& domain, int first, int b,
+                             Lanes lanes, double dt, MovedLanes& moved) {
   const Mask free = free_lanes(blocks, b, lanes);
   // (3). The distance is that of the stored centroids, because rounding may make it
   // larger than velocity times dt.
@@ -151,6 +151,9 @@ BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_a
 
   const Pack bound = 1.0000001 * (went + 2.0 * arms.change);
   moved.bound = larger(free ? bound : Pack{}, moved.bound);
+  const Pack before_step = load(path + b, lanes);
+  const Pack after_step = before_step + (bound + 0x1p-51 * before_step);
+  store(path + b, lanes, free ? after_step : before_step);
   const Pack distance = went + arms.change, reached = free ? distance : Pack{};
   const Mask farther = reached > moved.largest;
   moved.largest = farther ? reached : moved.largest;
@@ -165,12 +168,12 @@ BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_a
 }
 
 template <bool rigid>
-Moved move_range(const BlockColumns blocks, const double* longest_arm,
+Moved move_range(const BlockColumns blocks, const double* longest_arm, double* path,
                  const Rectangle domain, int first, int last, double dt) {
   MovedLanes moved;
   each_pack(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
-        move_pack<rigid>(blocks, longest_arm, domain, first, b, lanes, dt, moved);
+        move_pack<rigid>(blocks, longest_arm, path, domain, first, b, lanes, dt, moved);
       });
   return moved.all();
 }
@@ -266,10 +269,10 @@ void update_damped_strain(const BlockColumns& blocks, const Moduli& moduli,
   update_range<true>(blocks, moduli, &damping, first, last, kick, dt);
 }
 
-Moved move(const BlockColumns& blocks, const double* longest_arm,
+Moved move(const BlockColumns& blocks, const double* longest_arm, double* path,
            const Rectangle& domain, bool rigid, int first, int last, double dt) {
   const auto move_all = rigid ? move_range<true> : move_range<false>;
-  return move_all(blocks, longest_arm, domain, first, last, dt);
+  return move_all(blocks, longest_arm, path, domain, first, last, dt);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET
