@@ -131,8 +131,9 @@ void BlockBuilder::create(const deck::Create& card) {
     geometry::Polygon outline = geometry::place_outline(corners, shift, copy);
     for (Vec2& corner : outline)
       corner = corners_.place(corner);
-    const auto what = copies == 1 ? fmt::format("block {}", model_.blocks.size() + 1)
-                                  : fmt::format("copy {} of the block", copy + 1);
+    const auto what = copies == 1
+                          ? fmt::format("block {}", model_.blocks.size() + missing_ + 1)
+                          : fmt::format("copy {} of the block", copy + 1);
     if (!accept(outline, command_.where, what, warned))
       return;
     made.push_back({std::move(outline), static_cast<int>(card.mat.value), rho,

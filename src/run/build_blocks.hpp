@@ -19,12 +19,13 @@ class BlockBuilder {
  public:
   /// `corners` holds the shared corners of this section of the deck, up to the next
   /// MOTION, CYCLE or SOLVE. `unread` are the cards that could not be read, which may
-  /// define materials. Limits of START are not checked if it is missing.
+  /// define materials. `missing` blocks before those of this card were not made,
+  /// because their cards are faulty. Limits of START are not checked if it is missing.
   BlockBuilder(Model& model, deck::Diagnostics& diagnostics,
                const deck::Command& command, const geometry::SharedCorners& corners,
-               const UnreadCards& unread)
+               const UnreadCards& unread, long missing)
       : model_(model), diagnostics_(diagnostics), command_(command), corners_(corners),
-        unread_(unread) {}
+        unread_(unread), missing_(missing) {}
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
@@ -74,6 +75,7 @@ class BlockBuilder {
   const deck::Command& command_;
   const geometry::SharedCorners& corners_;
   const UnreadCards& unread_;
+  long missing_;
 };
 
 }  // namespace blocks::run

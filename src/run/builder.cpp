@@ -73,8 +73,8 @@ struct Builder::Visitor {
     self.diagnostics_.error(where, command.name, message, hint);
   }
   BlockBuilder builder() {
-    return {model, self.diagnostics_, command, self.corners_[self.stretch_],
-            self.unread_};
+    return {model,        self.diagnostics_,    command, self.corners_[self.stretch_],
+            self.unread_, self.missing_.count()};
   }
 
   int block_to_change(const deck::Int& number) {
@@ -307,7 +307,7 @@ struct Builder::Visitor {
     ++self.stretch_;
     self.in_place_ = self.options_.moves;
     if (!self.in_place_ && !settings.crack_rules.empty() && !self.sure_blocks_)
-      self.sure_blocks_ = blocks.size();
+      self.sure_blocks_ = self.last_number();
   }
   void operator()(const deck::Stop&) {}
 
@@ -316,13 +316,17 @@ struct Builder::Visitor {
 
 void Builder::apply(const Command& command) {
   take_in_pieces();
+  count_blocks(command.where.line);
   const int before = model_.blocks.size();
   std::visit(Visitor{*this, command}, command.card);
   plausibility_.test(Moment::card, plan({&command, 1}), command);
-  if (model_.blocks.size() == before)
-    failed_blocks_ += most_blocks(command);
-  if (most_missing(command.where.line) == 0)
-    certain_blocks_ = model_.blocks.size();
+  if (model_.blocks.size() == before) {
+    const long failed = most_blocks(command);
+    failed_blocks_ += failed;
+    if (std::holds_alternative<deck::Create>(command.card))
+      missing_.add(before, failed);
+  }
+  count_blocks(command.where.line);
   makers_.record(command, model_.blocks.size());
   known_blocks_ = model_.blocks.size();
   if (deck::passes_time(command))
@@ -354,8 +358,10 @@ int Builder::block(const Command& command, const deck::Int& number) {
     error_unsure(command, number);
     return -1;
   }
-  if (number.value >= 1 && number.value <= model_.blocks.size())
-    return static_cast<int>(number.value) - 1;
+  if (number.value >= 1 && number.value <= last_number()) {
+    const auto b = static_cast<int>(missing_.index_of(number.value));
+    return b < certain_blocks_ ? b : -1;
+  }
   error_no_block(command, number);
   return -1;
 }
@@ -439,6 +445,22 @@ void Builder::error_no_material(const Command& command, deck::SourceLocation whe
 
 long Builder::most_missing(int line) const {
   return failed_blocks_ + unread_.most_blocks_above(line);
+}
+
+void Builder::count_blocks(int line) {
+  for (; const deck::UnreadCard* card = unread_.above(line, unread_counted_);
+       ++unread_counted_)
+    if (card->name == "CREATE")
+      missing_.add(model_.blocks.size(), card->blocks);
+  if (most_missing(line) == missing_.count())
+    certain_blocks_ = model_.blocks.size();
+}
+
+std::string Builder::blocks_are(const std::vector<int>& blocks) const {
+  std::vector<int> numbered;
+  for (const int b : blocks)
+    numbered.push_back(static_cast<int>(missing_.number_of(b)) - 1);
+  return run::blocks_are(numbered);
 }
 
 }  // namespace blocks::run

@@ -21,6 +21,7 @@
 #include "model/model.hpp"
 #include "run/block_makers.hpp"
 #include "run/cut_store.hpp"
+#include "run/missing_blocks.hpp"
 #include "run/plausibility.hpp"
 #include "run/unread_cards.hpp"
 
@@ -100,15 +101,23 @@ class Builder {
   void take_in_pieces();
   /// How many blocks are missing at most above this line, because their cards failed.
   long most_missing(int line) const;
+  /// Counts the blocks of faulty CREATE cards above this line that were not read, and
+  /// the blocks whose numbers are sure.
+  void count_blocks(int line);
+  /// The number of the last block here, if no other card than CREATE has failed.
+  long last_number() const { return model_.blocks.size() + missing_.count(); }
+  /// Returns "block 3 is" or "blocks 3 to 5 are".
+  std::string blocks_are(const std::vector<int>& blocks) const;
   void error_no_block(const deck::Command& command, const deck::Int& number);
   /// Whether a block with this number, from 1, may be a piece when the deck runs, and
   /// not the block that a card makes.
   bool is_unsure(long number) const {
-    return sure_blocks_ && number > *sure_blocks_ && number <= model_.blocks.size();
+    return sure_blocks_ && number > *sure_blocks_ && number <= last_number();
   }
   void error_unsure(const deck::Command& command, const deck::Int& number);
   /// Returns the index of the block with this number, counted from 0. Reports an error
-  /// and returns -1 if there is none.
+  /// and returns -1 if there is none. Returns -1 without an error for a block that a
+  /// faulty card did not make, and for one whose number is not sure for that reason.
   int block(const deck::Command& command, const deck::Int& number);
   /// Returns the index like block(). Also returns -1 for a removed block, with a
   /// warning that the card has no effect.
@@ -170,8 +179,7 @@ class Builder {
   void push(const deck::Command& command, const deck::Force& card);
   /// Returns whether there is a FUNCTION card. Reports an error if not.
   bool has_function(const deck::Command& command);
-  /// Returns the side of block b with this number, from 0. Returns -1 after an error,
-  /// or if a card before that of b has failed, so that b may be another block.
+  /// Returns the side of block b with this number, from 0. Returns -1 after an error.
   int side(const deck::Command& command, int b, const deck::Int& number);
   /// Returns whether block b is inside the domain, where blocks move. Otherwise reports
   /// an error, or a warning if the block has left it.
@@ -206,6 +214,9 @@ class Builder {
   void check_damping(const deck::Command& solve);
   void check_steps(const deck::Command& command);
   void check_history_blocks(const deck::Command& command);
+  /// The number of corners of the block with this number; the largest number of all if
+  /// a faulty card hides it.
+  int corners_of(long number) const;
   void check_history_interval(const deck::Command& motion);
 
   Model& model_;
@@ -213,7 +224,9 @@ class Builder {
   BuildOptions options_;
   UnreadCards unread_;
   long failed_blocks_ = 0;  ///< the most blocks that cards with errors should make
-  int certain_blocks_;  ///< blocks before the first such card: their numbers are sure
+  MissingBlocks missing_;   ///< those of them that certainly count as blocks
+  std::size_t unread_counted_ = 0;  ///< cards not read whose blocks are counted
+  int certain_blocks_;              ///< blocks whose numbers are sure
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
   std::size_t stretch_ = 0;  ///< index of the section between motions
   /// The blocks are where they will be when the next card acts. This is false after a
@@ -240,7 +253,7 @@ class Builder {
   int domain_blocks_;  ///< blocks compared with the domain
   /// The number of blocks before the first motion in which blocks may split; empty if
   /// there is none, or if steps are made. Later blocks have unknown numbers.
-  std::optional<int> sure_blocks_;
+  std::optional<long> sure_blocks_;
   int known_blocks_;                     ///< blocks after the last card
   std::optional<deck::Command> motion_;  ///< the last MOTION, CYCLE or SOLVE card
   int checked_blocks_;                   ///< blocks checked before an earlier motion

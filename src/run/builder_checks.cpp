@@ -125,7 +125,7 @@ void Builder::check_output_blocks() {
   for (const deck::Int& number : std::get<deck::Output>(output_->card).blocks)
     if (is_unsure(number.value))
       error_unsure(*output_, number);
-    else if (number.value < 1 || number.value > model_.blocks.size())
+    else if (number.value < 1 || number.value > last_number())
       error_no_block(*output_, number);
   output_.reset();
 }
@@ -148,13 +148,13 @@ void Builder::check_history_blocks(const Command& command) {
                          "name a joint that has a law");
     } else if (is_unsure(curve.last)) {
       error_unsure(command, {curve.last, where, true});
-    } else if (curve.last > blocks.size()) {
+    } else if (curve.last > last_number()) {
       error_no_block(command, {curve.last, where, true});
-    } else if (curve.corner > 0 && curve.corner > blocks.corners_of(curve.first - 1)) {
+    } else if (curve.corner > 0 && curve.corner > corners_of(curve.first)) {
       diagnostics_.error(
           where, command.name,
           fmt::format("block {} has no corner {}", curve.first, curve.corner),
-          fmt::format("it has corners 1 to {}", blocks.corners_of(curve.first - 1)));
+          fmt::format("it has corners 1 to {}", corners_of(curve.first)));
     } else if (const int material =
                    quantities::material_number(curve.material, numbers);
                model_.settings.materials.contains(material) &&
@@ -166,6 +166,12 @@ void Builder::check_history_blocks(const Command& command) {
                          "name a material of blocks, or create blocks of this one");
     }
   }
+}
+
+int Builder::corners_of(long number) const {
+  const auto b = static_cast<int>(missing_.index_of(number));
+  return b >= 0 && b < certain_blocks_ ? model_.blocks.corners_of(b)
+                                       : std::numeric_limits<int>::max();
 }
 
 void Builder::check_history_interval(const Command& motion) {

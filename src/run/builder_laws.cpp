@@ -259,10 +259,12 @@ int Builder::block_to_drive(const Command& command, const deck::Int& number) {
     return can_move(command, b, number) ? b : -1;
   if (!unread_.has("FIX"))  // A FIX card with a fault may have named the block.
     diagnostics_.error(
-        number.where, command.name, fmt::format("block {} is not fixed", b + 1),
+        number.where, command.name,
+        fmt::format("block {} is not fixed", missing_.number_of(b)),
         fmt::format("only fixed blocks can be driven: put FIX, {} before "
                     "this card, or use {} for a free block",
-                    b + 1, command.name == "SERVO" ? "PRESSBC" : "SETVEL"));
+                    missing_.number_of(b),
+                    command.name == "SERVO" ? "PRESSBC" : "SETVEL"));
   return -1;
 }
 

@@ -21,24 +21,22 @@ bool Builder::has_function(const Command& command) {
 }
 
 int Builder::side(const Command& command, int b, const deck::Int& number) {
-  if (b >= certain_blocks_)
-    return -1;
   const int sides = model_.blocks.corners_of(b);
   if (number.value >= 1 && number.value <= sides)
     return static_cast<int>(number.value) - 1;
-  diagnostics_.error(number.where, command.name,
-                     fmt::format("there is no side {}", number.value),
-                     fmt::format("block {} has sides 1 to {}", b + 1, sides));
+  diagnostics_.error(
+      number.where, command.name, fmt::format("there is no side {}", number.value),
+      fmt::format("block {} has sides 1 to {}", missing_.number_of(b), sides));
   return -1;
 }
 
 bool Builder::can_move(const Command& command, int b, const deck::Int& number) {
   const Settings& settings = model_.settings;
   if (model_.blocks.fixity[b] == Fixity::left_domain) {
-    diagnostics_.warning(
-        number.where, command.name,
-        fmt::format("block {} is outside the domain and stays there", b + 1),
-        "widen the domain: XLIMITS, YLIMITS");
+    diagnostics_.warning(number.where, command.name,
+                         fmt::format("block {} is outside the domain and stays there",
+                                     missing_.number_of(b)),
+                         "widen the domain: XLIMITS, YLIMITS");
     return false;
   }
   const bool has_domain = (settings.lower.array() < settings.upper.array()).all();
@@ -47,7 +45,7 @@ bool Builder::can_move(const Command& command, int b, const deck::Int& number) {
   diagnostics_.error(
       number.where, command.name,
       fmt::format("block {} has a corner outside the domain, where no block moves",
-                  b + 1),
+                  missing_.number_of(b)),
       "widen the domain: XLIMITS, YLIMITS");
   return false;
 }

@@ -60,14 +60,14 @@ void Builder::make_quiet(const Command& command, const deck::Quiet& card) {
         command.where, command.name,
         fmt::format("block {} is freed before the first step, so only its own weight "
                     "is held",
-                    b + 1),
+                    missing_.number_of(b)),
         "bring the model to rest on the fixed block first: SOLVE or MOTION");
   const bool moves =
       !was_free && (!blocks.velocity.col(b).isZero(0.0) || blocks.spin[b] != 0.0);
   if (moves || (!was_free && loads_will_change(model_)))
     diagnostics_.warning(
         command.where, command.name,
-        fmt::format("block {} is freed while {}", b + 1,
+        fmt::format("block {} is freed while {}", missing_.number_of(b),
                     moves ? "it moves" : "gravity or a load still changes"),
         "the force that holds it from now on is that of this moment: bring the model "
         "to rest first");
@@ -77,7 +77,8 @@ void Builder::make_quiet(const Command& command, const deck::Quiet& card) {
     return;
   std::string text = fmt::format(
       "QUIET in line {} at time {:g}: side {} of block {}, cp {:g}, cs {:g}",
-      command.where.line, model_.time, quiet.side + 1, b + 1, quiet.cp, quiet.cs);
+      command.where.line, model_.time, quiet.side + 1, missing_.number_of(b), quiet.cp,
+      quiet.cs);
   if (!was_free)
     text += fmt::format("; the block is freed and held by the constant force ({:g}, "
                         "{:g})",
@@ -101,7 +102,7 @@ void Builder::warn_of_dashpots(const Command& command, int b) {
       command.where, command.name,
       fmt::format("the dashpots of block {} would take {:.3g} times its velocity in a "
                   "time step of {:.4g}",
-                  b + 1, rate * dt, dt),
+                  missing_.number_of(b), rate * dt, dt),
       fmt::format("steps beyond {:.3g} may be unstable: reduce FRACTION, or cp and cs",
                   1.0 / rate));
 }

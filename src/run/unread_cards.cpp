@@ -39,4 +39,9 @@ long UnreadCards::most_blocks_above(int line) const {
   return most;
 }
 
+const UnreadCard* UnreadCards::above(int line, std::size_t index) const {
+  return index < cards_.size() && cards_[index].where.line < line ? &cards_[index]
+                                                                  : nullptr;
+}
+
 }  // namespace blocks::run

@@ -79,6 +79,42 @@ TEST_F(CheckFaults, OfAFaultyCreateHideNoFaultOfTheBlocksBefore) {
                             HasSubstr("2 errors")));
 }
 
+// A faulty CREATE counts as a block, so the numbers of the blocks behind it are sure.
+TEST_F(CheckFaults, OfAFaultyCreateHideNoFaultOfTheBlocksBehind) {
+  for (const char* faulty : {"CREATE, 4, 1\n2, 2, 3, 3\n0, 1, 0, 1\n",  // crossing
+                             "CREATE, 4, 1\n2, 2, 3, x\n0, 1, 1, 0\n",
+                             "CREATE, 4, 7\n2, 2, 3, 3\n0, 1, 1, 0\n",
+                             "CREATE, 4, 1\n2, 2, 3\n0, 1, 1, 0\n"})
+    EXPECT_THAT(faults_of(preliminary("RIGID\nFUNCTION, 1\n0, 1\n") + square + faulty +
+                          rectangle(5, 5, 6, 6) +
+                          "PRESSBC, 3, 9, 1, 1\nPRESSBC, 2, 9, 1, 1\n"
+                          "PRESSBC, 1, 7, 1, 1\nFIX, 4\n"
+                          "HISTORY, .1, x:2.9, x:3.8\n"),
+                AllOf(HasSubstr("PRESSBC: there is no side 9\n"),
+                      HasSubstr("hint: block 3 has sides 1 to 4\n"),
+                      HasSubstr("PRESSBC: there is no side 7\n"),
+                      HasSubstr("FIX: there is no block 4\n"),
+                      HasSubstr("HISTORY: block 3 has no corner 8\n"),
+                      HasSubstr("5 errors")));
+}
+
+TEST_F(CheckFaults, OfCopiesAreCountedToo) {
+  EXPECT_THAT(faults_of(preliminary() +
+                        "CLOOP, 3, 2, 0\nCREATE, 4, 1\n0, 0, 1, 1\n"
+                        "0, 1, 0, 1\n" +
+                        rectangle(7, 7, 8, 8) + "DRIVE, 4, 1, 0\nDRIVE, 3, 1, 0\n"),
+              AllOf(HasSubstr("DRIVE: block 4 is not fixed"), HasSubstr("2 errors")));
+}
+
+// Nobody knows how many blocks the mesh has, so the number of the block behind is not
+// sure.
+TEST_F(CheckFaults, OfAnAbsentMeshHideTheBlocksBehind) {
+  EXPECT_THAT(faults_of(preliminary() + square + "READ9, absent.msh\n" +
+                        rectangle(5, 5, 6, 6) + "DRIVE, 2, 1, 0\nDRIVE, 1, 1, 0\n"),
+              AllOf(HasSubstr("READ9"), HasSubstr("DRIVE: block 1 is not fixed"),
+                    HasSubstr("2 errors")));
+}
+
 TEST_F(CheckFaults, CountOneBlockInTheSingular) {
   EXPECT_THAT(faults_of(preliminary() + "CREATE, 4, 1\n2, 2, 3\n0, 1, 1, 0\nFIX, 2\n"),
               HasSubstr("at most 1 block exists here"));
