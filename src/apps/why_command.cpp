@@ -7,16 +7,29 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <string_view>
 
 #include "audit/make_exact_rule.hpp"
+#include "option_text.hpp"
 #include "run/run.hpp"
 #include "why_report.hpp"
 
 namespace blocks::apps {
 namespace {
 
+/// Prints the error and the lines of the hint, which are broken at 100 columns.
 int refuse(const std::string& message, const std::string& hint) {
-  fmt::print(stderr, "blocks: error: {}\n  hint: {}\n", message, hint);
+  constexpr std::size_t columns = 100;
+  constexpr std::string_view first = "  hint: ", later = "        ";
+  fmt::print(stderr, "blocks: error: {}\n", message);
+  std::istringstream parts(hint);
+  std::string_view before = first;
+  for (std::string part; std::getline(parts, part);) {
+    std::istringstream lines(wrapped(part, columns - first.size()));
+    for (std::string line; std::getline(lines, line); before = later)
+      fmt::print(stderr, "{}{}\n", before, line);
+  }
   return run::usage_error;
 }
 
@@ -161,10 +174,10 @@ int why(const WhyOptions& options) {
                std::pair(std::min(i, j), std::max(i, j));
       });  // a bond may reach farther
   if (!touched && std::find(near.begin(), near.end(), j) == near.end())
-    return refuse(fmt::format("blocks {} and {} are not near each other at time {:g}: "
-                              "their bounding boxes are more than {:.6g} apart",
-                              i + 1, j + 1, scene.time, reach),
-                  beside);
+    return refuse(fmt::format("blocks {} and {} are not near each other at time {:g}",
+                              i + 1, j + 1, scene.time),
+                  fmt::format("{}\ntheir bounding boxes are more than {:.6g} apart",
+                              beside, reach));
   WhyReport report = why(rule, std::min(i, j), std::max(i, j));
   report.file = options.file;
   report.asked = time;

@@ -119,6 +119,24 @@ TEST_F(Why, NamesTheChoicesIfAnOptionIsWrong) {
                  "the blocks of scene.vtkhdf are 1 to 5");
 }
 
+// A block in a long row of blocks has many neighbours.
+TEST_F(Why, BreaksLongHints) {
+  std::string row = rectangle(-9, -1, 9, 0, true);
+  for (int i = 0; i < 30; ++i)
+    row += rectangle(-8 + 0.5 * i, 0, -7.5 + 0.5 * i, 0.5);
+  run_text(folder, "row", preliminary() + row + "GRAVITY, 0, -9.81\nCYCLE, 3\nSTOP\n");
+  const Outcome one = why("row.vtkhdf --block 1");
+  EXPECT_THAT(one.err, HasSubstr("\n  hint: near block 1: 2 (in contact), 3 (in"));
+  EXPECT_THAT(one.err, HasSubstr("\n        "));
+  const Outcome far = why("row.vtkhdf --block 2 --block 31");
+  EXPECT_THAT(far.err, HasSubstr("\n  hint: near block 2: 1 (in contact), 3"));
+  EXPECT_THAT(far.err,
+              HasSubstr("\n        their bounding boxes are more than 0.05 apart\n"));
+  std::istringstream lines(one.err + far.err);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_LE(line.size(), 100U) << line;
+}
+
 // Block 6 is created at time 0.4.
 TEST_F(Why, SaysWhenABlockIsCreated) {
   run_text(folder, "later",
