@@ -117,8 +117,8 @@ const study::Variant* default_rules() { return &study::all_variants().front(); }
 constexpr double most_late = 1e-4;
 
 /// Prints why --gate fails: the default rules hang, let a block through, or decide
-/// differently from exact arithmetic. In scenes where they are known to fail, only the
-/// signs count.
+/// differently from exact arithmetic. A deck also fails if the first two are not
+/// counted. In scenes where they are known to fail, only the signs count.
 bool default_is_sound(const std::vector<study::Study>& studies) {
   bool sound = true;
   for (const study::Study& study : studies)
@@ -128,14 +128,22 @@ bool default_is_sound(const std::vector<study::Study>& studies) {
       const bool late = row.phantom.value > most_late || row.missed.value > most_late;
       const bool exact = !(row.wrong_signs.value > 0 || row.wrong_tangents.value > 0 ||
                            (late && study.must_pass));
-      if ((row.hung + row.fell == 0 || !study.must_pass) && exact)
+      const bool counted = study.not_counted.empty();
+      if (((counted && row.hung + row.fell == 0) || !study.must_pass) && exact)
         continue;
+      sound = false;
+      if (!counted) {
+        fmt::print(stderr,
+                   "blocks: error: --gate failed: {}: hang-ups and fall-throughs are "
+                   "not counted, because {}\n",
+                   study.scene, study.not_counted);
+        continue;
+      }
       fmt::print(stderr,
                  "blocks: error: --gate failed: {}: of {} frames, {} hung and {} fell "
                  "through{}\n",
                  study.scene, row.frames, row.hung, row.fell,
                  exact ? "" : "; some decisions were not exact");
-      sound = false;
     }
   return sound;
 }
@@ -234,7 +242,8 @@ int print_study(const study::Study& done, bool first) {
     fmt::print(
         stderr,
         "blocks: warning: {}: the run of {}, which is the expected motion, {}\n  "
-        "hint: hang-ups are counted against that run, so they mean little here\n",
+        "hint: hang-ups and fall-throughs would be counted against that run, so they "
+        "are not counted\n",
         done.scene, done.expected, done.doubt);
   if (done.refused.empty())
     return run::done;

@@ -207,7 +207,10 @@ std::string text(const Study& study) {
     if (has_deep)
       table.back().push_back(counted(row.deep, row.frames, row.deep_frames));
     if (row.variant == &all_variants().front()) {
-      if (std::isnan(row.hang_ups.value))
+      if (!study.not_counted.empty())
+        notes += fmt::format("hang-ups and fall-throughs: not counted, because\n  {}\n",
+                             study.not_counted);
+      else if (std::isnan(row.hang_ups.value))
         notes += study.expected.empty()
                      ? "hang-ups: not possible here, because nothing should move\n"
                      : "hang-ups: not counted, because the expected motion ends near "

@@ -198,6 +198,29 @@ Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
   return row;
 }
 
+void drop_void_counts(Study& study) {
+  if (study.expected.empty())
+    return;
+  const auto differs_always = [&](const Row& row) {
+    return row.variant->name == study.expected && row.frames > 1 &&
+           (row.hung == row.frames || row.fell == row.frames);
+  };
+  if (!study.doubt.empty())
+    study.not_counted = fmt::format("the run of {} {}", study.expected, study.doubt);
+  else if (std::any_of(study.rows.begin(), study.rows.end(), differs_always))
+    study.not_counted = fmt::format("{} repeats its own motion in no other frame, as "
+                                    "after a bounce",
+                                    study.expected);
+  else
+    return;
+  for (Row& row : study.rows) {
+    row.hung = row.fell = 0;
+    row.hang_ups = row.fall_throughs = Estimate();
+    row.hung_in.clear();
+    row.fell_in.clear();
+  }
+}
+
 Study run_study(Scene scene, const StudyChoice& all_chosen) {
   StudyChoice choice = all_chosen;
   Study study{scene.name,
@@ -259,6 +282,7 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
     row.variant = all_chosen.variants[v];
     row.refused = refusals[v];
   }
+  drop_void_counts(study);
   return study;
 }
 

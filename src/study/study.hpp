@@ -70,6 +70,9 @@ struct Study {
   std::string again;      ///< options that reproduce the frames
   std::string expected;   ///< variant that gives the reference run; or empty
   bool must_pass = true;  ///< the default rules must pass in every frame
+  /// Why hang-ups and fall-throughs are not counted for a deck; or empty. The rows then
+  /// have none.
+  std::string not_counted = {};
 };
 
 /// What was measured of a variant in one frame; NaN if it was not measured.
@@ -93,6 +96,11 @@ std::string first_deck(const Scene& scene, const StudyChoice& choice);
 /// intervals are drawn. The result depends on the order of the frames.
 Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
               std::uint64_t seed);
+
+/// Removes the counts of hang-ups and fall-throughs if they mean nothing: the run that
+/// they are counted against is no valid reference, or its own variant does not repeat
+/// it in any of several frames.
+void drop_void_counts(Study& study);
 
 /// Runs every variant in the same frames. The result does not depend on the number of
 /// threads. A variant is refused if its blocks cannot be made in every frame.

@@ -8,6 +8,7 @@ namespace blocks::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(StudyCommand, WritesTableCsvAndJson) {
   const TemporaryFolder folder;
@@ -52,6 +53,27 @@ TEST(StudyCommand, RunsADeck) {
   EXPECT_THAT(done.out, HasSubstr("hang-ups: not counted, because the expected motion "
                                   "ends near its start"));
   EXPECT_EQ(blocks("study contacts none.deck", folder.path()).code, 5);
+}
+
+// A block that falls sinks deep into soft ground and is thrown up, so the run cannot
+// tell what hangs.
+TEST(StudyCommand, CountsNothingForADeckWithoutAReference) {
+  const TemporaryFolder folder;
+  folder.write("fall.deck", preliminary() + rectangle(0, 0, 5, 1, true) +
+                                rectangle(2, 4, 3, 5) +
+                                "GRAVITY, 0, -9.81\nMOTION, 1\n");
+  const Outcome done = blocks("study contacts fall.deck --frames 3 --steps 4000 "
+                              "--variants default --gate --json t.json",
+                              folder.path());
+  EXPECT_THAT(done.out, HasSubstr("hang-ups and fall-throughs: not counted, because\n"
+                                  "  the run of default lets two blocks overlap"));
+  EXPECT_THAT(done.out, Not(HasSubstr("hung in frame")));
+  EXPECT_THAT(done.out, Not(HasSubstr("/3")));
+  EXPECT_THAT(done.err, HasSubstr("so they are not counted\n"));
+  EXPECT_THAT(done.err, HasSubstr("--gate failed: fall.deck"));
+  EXPECT_EQ(done.code, 4);
+  const auto json = nlohmann::json::parse(slurp(folder / "t.json"));
+  EXPECT_TRUE(json["studies"][0]["variants"][0]["hang_ups"]["value"].is_null());
 }
 
 // At 1e12 block sizes doubles are coarser than the slack, and a block hangs in frame 9.

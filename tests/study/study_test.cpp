@@ -275,6 +275,31 @@ TEST(Floor, ShowsTheSpeedLostAtAJoint) {
   EXPECT_EQ(study.rows[1].hung, 3);
 }
 
+// Blocks that bounce end elsewhere in each frame, although none hangs.
+TEST(Study, CountsNothingIfARunIsRepeatedInNoFrame) {
+  const Variant& rules = all_variants().front();
+  const auto study_of = [&](int frames, int hung, const std::string& doubt) {
+    std::vector<FrameValues> values;
+    for (int f = 0; f < frames; ++f)
+      values.push_back({.frame = f, .could_hang = true, .hung = f < hung});
+    Study study;
+    study.expected = rules.name;
+    study.doubt = doubt;
+    study.rows = {summarise(rules, values, 1)};
+    drop_void_counts(study);
+    return study;
+  };
+  EXPECT_EQ(study_of(3, 2, "").rows[0].hung, 2);
+  EXPECT_EQ(study_of(1, 1, "").rows[0].hung, 1) << "a frame that is repeated";
+  for (const Study& study : {study_of(3, 3, ""), study_of(3, 0, "is unsound")}) {
+    EXPECT_TRUE(std::isnan(study.rows[0].hang_ups.value));
+    EXPECT_TRUE(std::isnan(study.rows[0].fall_throughs.value));
+    EXPECT_TRUE(study.rows[0].hung_in.empty());
+    EXPECT_NE(text(study).find("hang-ups and fall-throughs: not counted, because"),
+              std::string::npos);
+  }
+}
+
 // In these scenes no block has to move, so none can hang.
 TEST(Study, CountsHangUpsOnlyIfABlockHasToMove) {
   StudyChoice choice = choice_of({"default"}, 3);
