@@ -43,7 +43,7 @@ CardSpec joint_set() {
                  half_range("gdev", "half range of gap, <= gap"),
                  {"x0", exact, "0", any, "[L]", "x of the start of track 0"},
                  {"y0", exact, "0", any, "[L]",
-                  "y of the start; if both are blank and (0, 0) is too far away: the "
+                  "y of the start; if both are blank and (0, 0) is far away: the "
                   "first corner of the outline"},
                  {"law",
                   word,

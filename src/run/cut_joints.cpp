@@ -87,24 +87,33 @@ class Generator {
 
   void prepare(const deck::Jset& card) {
     geometry::JointSet set = joint_set(card, key("JSET", card.id.value));
-    if (!card.x0.given && !card.y0.given && is_far(set)) {
-      set.start = around_.outline.front();
-      made_.notes.push_back(
-          fmt::format("JSET in line {}: track 0 begins at the first corner of the "
-                      "outline, ({:.9g}, "
-                      "{:.9g}), because x0 and y0 are blank and (0, 0) is too far away",
-                      card.where.line, set.start.x.value(), set.start.y.value()));
+    if (const geometry::JointSet near = started_at_outline(set);
+        !card.x0.given && !card.y0.given && is_far(set, near)) {
+      set = near;
+      diagnostics_.warning(
+          card.where, "JSET",
+          fmt::format("the set starts at the first corner of the outline, ({:.9g}, "
+                      "{:.9g}), because (0, 0) is far away",
+                      set.start.x.value(), set.start.y.value()),
+          "give x0 and y0 if it continues across outlines, or to choose another start");
     }
     guarded(card.space.where, "JSET", [&] {
       expect(geometry::expected_pieces(set, around_.outline), card.space.where, "JSET");
     });
     sets_.emplace(&card, std::move(set));
   }
-  /// Whether too many tracks or traces are between the start and the outline.
-  bool is_far(const geometry::JointSet& set) const {
+  geometry::JointSet started_at_outline(geometry::JointSet set) const {
+    set.start = around_.outline.front();
+    return set;
+  }
+  /// Whether many tracks or traces are between the start of the set and the outline,
+  /// compared with the same set that starts at the outline.
+  bool is_far(const geometry::JointSet& set, const geometry::JointSet& near) const {
+    constexpr double many = 1e5;  // check_room() counts 720 MB for them
     try {
-      return geometry::expected_pieces(set, around_.outline) >
-             geometry::max_joint_pieces;
+      return geometry::expected_pieces(set, around_.outline) -
+                 geometry::expected_pieces(near, around_.outline) >
+             many;
     } catch (const geometry::CutError&) {
       return true;
     }

@@ -238,8 +238,36 @@ TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
       fs::path(BLOCKS_SOURCE_DIR) / "tests/corpus/networks/national_grid.deck";
   const Outcome check = blocks("check '" + deck.string() + "'", folder_.path());
   EXPECT_EQ(check.code, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr("JSET in line 16: track 0 begins at the first "
+  EXPECT_THAT(check.err, HasSubstr(":16:1: warning: JSET: the set starts at the first "
                                    "corner of the outline, (100000000, 100000000)"));
+}
+
+// 6e6 traces would lie between (0, 0) and this outline: fewer than one card may make,
+// but more than a small machine has memory for.
+TEST_F(CutCards, SetsOfTracesInNationalCoordinatesBeginAtTheOutline) {
+  std::string cards = start();
+  cards.replace(cards.find("XLIMITS"), cards.find("BOXES") - cards.find("XLIMITS"),
+                "XLIMITS, 349900, 350200\nYLIMITS, 5599900, 5600200\n");
+  folder_.write("a.deck", cards +
+                              "OUTLINE, 4, 1\n350000, 350000, 350100, 350100\n"
+                              "5600000, 5600100, 5600100, 5600000\n"
+                              "JSET, 1, 30, 0, 5, , 10, , 5\nJSET, 2, 120, 0, 10, 1\n"
+                              "JSET, 3, 0, 0, 100\nCUT\nCYCLE, 1\n");
+  const std::string said = ": the set starts at the first corner of the outline, "
+                           "(350000, 5600000), because (0, 0) is far away";
+  const auto times_in = [&](const std::string& text) {
+    int times = 0;
+    for (auto at = text.find(said); at != std::string::npos; ++times)
+      at = text.find(said, at + 1);
+    return times;
+  };
+  const Outcome check = blocks("check a.deck", folder_.path());
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_EQ(times_in(check.err), 2) << check.err;
+  const Outcome run = blocks("run a.deck", folder_.path());
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(times_in(run.err), 2) << run.err;
+  EXPECT_EQ(times_in(slurp(folder_ / "a.out")), 2);
 }
 
 TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
