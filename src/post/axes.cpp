@@ -69,7 +69,17 @@ std::string TickLabels::titled(const std::string& name) const {
              : name.substr(0, bracket + 1) + factor + " " + name.substr(bracket + 1);
 }
 
-TickLabels label_ticks(double lower, double upper, int count) {
+std::string TickLabels::axis_title(const std::string& name) const {
+  if (offset.empty())
+    return titled(name);
+  const std::string change = (offset[0] == '-' ? " + " : " − ") + offset.substr(1);
+  const auto bracket = name.rfind(" [");
+  return bracket == std::string::npos
+             ? name + change
+             : name.substr(0, bracket) + change + name.substr(bracket);
+}
+
+TickLabels label_ticks(double lower, double upper, int count, Offset kind) {
   TickLabels result{nice_ticks(lower, upper, count), {}, {}};
   const std::vector<double>& ticks = result.ticks;
   if (ticks.empty())
@@ -78,10 +88,12 @@ TickLabels label_ticks(double lower, double upper, int count) {
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : upper - lower;
   const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
   double offset = 0.0;
-  if (span > 0.0 && largest >= 1e5 * step) {
+  const double most =
+      kind == Offset::of_large_numbers ? std::min(1e5, 1e5 * step) : 1e5 * step;
+  if (span > 0.0 && largest >= most)
     offset = roundest(ticks.front(), ticks.back(), step);
+  if (offset != 0.0)
     result.offset = fmt::format("{:+.15g}", offset);
-  }
   if (offset == 0.0 && (largest >= 1e5 || largest < 1e-3) && largest > 0.0)
     result.power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
   const double counted = std::pow(10.0, -result.power);

@@ -37,11 +37,20 @@ struct TickLabels {
   /// Returns the name of the axis with that power: "kinetic energy [10⁶ J/m]",
   /// "contacts [10³]".
   std::string titled(const std::string& name) const;
+  /// Returns the name of the axis with the power or the offset: "x − 350000 [m]".
+  std::string axis_title(const std::string& name) const;
 };
 
-/// Returns about `count` ticks. If the labels would need more than five digits, a
-/// common offset is subtracted. Without an offset, values from 100,000 or below a
-/// thousandth are labelled in powers of ten.
-TickLabels label_ticks(double lower, double upper, int count);
+/// Whether an offset is subtracted from the labels of an axis.
+enum class Offset {
+  of_long_labels,    ///< if they would need more than five digits
+  of_large_numbers,  ///< also in place of a power of ten
+};
+
+/// Returns about `count` ticks. A common offset is subtracted from the labels as
+/// `offset` says. Without an offset, values from 100,000 or below a thousandth are
+/// labelled in powers of ten.
+TickLabels label_ticks(double lower, double upper, int count,
+                       Offset offset = Offset::of_long_labels);
 
 }  // namespace blocks::post

@@ -68,10 +68,24 @@ FigureMargins margins_of(const FigureOptions& options, bool titled) {
   return found;
 }
 
-/// Returns the ticks of the y axis.
-TickLabels ticks_up(const Axes& axes) {
-  return label_ticks(axes.ymin, axes.ymax,
-                     std::max(2, static_cast<int>(axes.height / 70)));
+/// The ticks of both axes.
+struct Ticks {
+  TickLabels along, up;
+};
+
+/// Returns the ticks. If the labels of one axis have an offset, so have those of the
+/// other one, rather than a power of ten.
+Ticks ticks_of(const Axes& axes) {
+  const auto with = [&](Offset offset) {
+    return Ticks{label_ticks(axes.xmin, axes.xmax,
+                             std::max(3, static_cast<int>(axes.width / 97)), offset),
+                 label_ticks(axes.ymin, axes.ymax,
+                             std::max(2, static_cast<int>(axes.height / 70)), offset)};
+  };
+  Ticks found = with(Offset::of_long_labels);
+  return found.along.offset.empty() == found.up.offset.empty()
+             ? found
+             : with(Offset::of_large_numbers);
 }
 
 }  // namespace
@@ -88,7 +102,7 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
   // Short numbers at the y axis leave more room for the picture.
   constexpr double letter = 9, least = 18;  // [units]
   std::size_t longest = 0;
-  for (const std::string& label : ticks_up(axes(0)).labels)
+  for (const std::string& label : ticks_of(axes(0)).up.labels)
     longest = std::max(longest, label.size());
   const double room =
       std::clamp(letter * static_cast<double>(longest), least, numbers_);
@@ -225,8 +239,7 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
     cairo_rel_line_to(cairo, dx, dy);
     pen.stroke(1.0, ink);
   };
-  const TickLabels xs =
-      label_ticks(axes.xmin, axes.xmax, std::max(3, static_cast<int>(axes.width / 97)));
+  const auto [xs, ys] = ticks_of(axes);
   for (std::size_t i = 0; i < xs.ticks.size(); ++i) {
     tick(axes.x(xs.ticks[i]), axes.bottom(), 0, along_x ? 6 : -5);
     if (!along_x)
@@ -237,7 +250,6 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
     pen.text(xs.labels[i], std::min(axes.x(xs.ticks[i]), most), axes.bottom() + 11, 14,
              ink, 0.5, 0);
   }
-  const TickLabels ys = ticks_up(axes);
   for (std::size_t i = 0; i < ys.ticks.size(); ++i) {
     tick(axes.left, axes.y(ys.ticks[i]), along_y ? -6 : 5, 0);
     if (along_y)
@@ -245,14 +257,13 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
                numbers_);
   }
   if (along_x) {
-    pen.text(xs.offset, axes.right(), axes.bottom() + 38, 14, ink, 1, 0);
-    pen.text(xs.titled(with_unit("x", length, options_)), axes.left + axes.width / 2,
-             axes.bottom() + 38, 15, ink, 0.5, 0);
+    pen.text(xs.axis_title(with_unit("x", length, options_)),
+             axes.left + axes.width / 2, axes.bottom() + 38, 15, ink, 0.5, 0,
+             axes.width);
   }
   if (along_y) {
     const double label = axes.left - numbers_ - 20;
-    pen.text(ys.offset, label, axes.top - 5, 14, ink, 0, 1);
-    pen.upright(ys.titled(with_unit("y", length, options_)), label,
+    pen.upright(ys.axis_title(with_unit("y", length, options_)), label,
                 axes.top + axes.height / 2, 15, ink, axes.height);
   }
 }

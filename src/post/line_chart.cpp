@@ -136,7 +136,6 @@ class ChartDrawing : ChartLayout {
       stroke(left, at, end, at, up.ticks[i] == 0.0 ? muted : grid);
       pen_.text(up.labels[i], left - tick_gap, at, tick_size, ink, 1, 0.5);
     }
-    pen_.text(up.offset, 14, top - 5, 14, ink, 0, 1);
     cairo_save(cairo_);
     cairo_rectangle(cairo_, left, top, end - left, panel);
     cairo_clip(cairo_);
@@ -157,11 +156,10 @@ class ChartDrawing : ChartLayout {
     cairo_set_line_width(cairo_, 1);
     pen_.colour(ink);
     cairo_stroke(cairo_);
-    pen_.upright(up.titled(one.y_label), label_x_, top + panel / 2, 15, ink, panel);
+    pen_.upright(up.axis_title(one.y_label), label_x_, top + panel / 2, 15, ink, panel);
     if (last) {
-      pen_.text(along.titled(chart_.x_label), (left + end) / 2, bottom + 38, 15, ink,
-                0.5, 0);
-      pen_.text(along.offset, end, bottom + 38, 14, ink, 1, 0);
+      pen_.text(along.axis_title(chart_.x_label), (left + end) / 2, bottom + 38, 15,
+                ink, 0.5, 0);
     }
     if (keys_above)
       legend_above(one, top - keys(one));

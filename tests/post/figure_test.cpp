@@ -163,6 +163,18 @@ TEST(Figure, InPrintHasNoMoreRoomForNumbersThanTheyNeed) {
   EXPECT_GT(end_of_numbers(in_print(options)), low + 5.0);
 }
 
+// The offset of y was printed over the line of time and step, and x had none.
+TEST(Figure, BothAxesNameTheirOffsetsInNationalCoordinates) {
+  FigureOptions options;
+  options.zoom = Eigen::Vector4d(349999.7, 350010.3, 5599998.7, 5600005.3);
+  const std::string svg = in_print(options);
+  EXPECT_THAT(svg, HasSubstr(">x − 350000 [L]<"));
+  EXPECT_THAT(svg, HasSubstr(">y − 5600000 [L]<"));
+  EXPECT_THAT(svg, Not(HasSubstr("+5600000")));
+  options.zoom = Eigen::Vector4d(0, 10, 5599998.7, 5600005.3);
+  EXPECT_THAT(in_print(options), HasSubstr(">x [L]<"));
+}
+
 TEST(Figure, LastNumberOfTheAxisDoesNotTouchTheEdge) {
   FigureOptions options;
   options.zoom = Eigen::Vector4d(0, 4000, 0, 2000);

@@ -17,10 +17,13 @@ TEST(Ticks, HaveAnOffsetFarFromTheOrigin) {
   const TickLabels below = label_ticks(-500003.05, -500002.35, 4);
   EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
   EXPECT_EQ(below.offset, "-500003");
+  EXPECT_EQ(below.axis_title("y [m]"), "y + 500003 [m]");
   const TickLabels national =
       label_ticks(500000, 500010, 5);  // The labels do not run from -10 to 0.
   EXPECT_THAT(national.labels, ElementsAre("0", "2", "4", "6", "8", "10"));
   EXPECT_EQ(national.offset, "+500000");
+  EXPECT_EQ(national.axis_title("x [m]"), "x − 500000 [m]");
+  EXPECT_EQ(national.axis_title("x"), "x − 500000");
   const TickLabels late = label_ticks(4e6 - 1.6e-4, 4e6, 4);  // No label is -5e-05.
   EXPECT_THAT(late.labels, ElementsAre("-0.00015", "-0.00010", "-0.00005", "0"));
   EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
@@ -35,6 +38,18 @@ TEST(Ticks, OfLargeAndSmallNumbersHaveAPowerOfTenInTheTitle) {
   EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
   EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [m]");
 }
+// The other axis has an offset.
+TEST(Ticks, HaveAnOffsetInsteadOfAPowerOfTen) {
+  const TickLabels power = label_ticks(350000, 350010, 2);
+  EXPECT_THAT(power.labels, ElementsAre("350", "350.005", "350.01"));
+  const TickLabels offset = label_ticks(350000, 350010, 2, Offset::of_large_numbers);
+  EXPECT_THAT(offset.labels, ElementsAre("0", "5", "10"));
+  EXPECT_EQ(offset.axis_title("x [m]"), "x − 350000 [m]");
+  const TickLabels near = label_ticks(0, 10, 2, Offset::of_large_numbers);
+  EXPECT_THAT(near.labels, ElementsAre("0", "5", "10"));
+  EXPECT_EQ(near.axis_title("x [m]"), "x [m]");
+}
+
 TEST(Axes, TicksAreRoundNumbers) {
   EXPECT_THAT(nice_ticks(-0.3, 10.2, 5), ElementsAre(0, 2, 4, 6, 8, 10));
   EXPECT_TRUE(nice_ticks(1, 1, 5).empty());
