@@ -75,7 +75,7 @@ class ChartDrawing : ChartLayout {
     if (x_.empty())
       throw std::runtime_error("there is nothing to draw: no curve has a number");
     x_ = wide ? x_.widened(0.04) : x_.high > x_.low ? x_ : x_.widened(0.0);
-    make_room_for_ticks();
+    make_room_for_ticks(size.printed);
   }
 
   void draw() {
@@ -98,9 +98,11 @@ class ChartDrawing : ChartLayout {
   }
 
   /// Moves the left edge of the panels if tick labels would reach the label of the y
-  /// axis. The height of the panels remains.
-  void make_room_for_ticks() {
+  /// axis, and in print also if they leave a gap. The height of the panels remains.
+  void make_room_for_ticks(bool printed) {
     const double label_end = label_x_ + 15;  // its letters reach 10 to the right
+    if (printed)
+      left = label_end;
     for (const ChartPanel& one : chart_.panels)
       for (const std::string& label : ticks_of(one, range_of(one)).labels)
         left = std::max(left, label_end + pen_.width(label, tick_size) + tick_gap);
