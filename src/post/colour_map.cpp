@@ -111,10 +111,11 @@ Colour ColourMap::at(double s) const {
 
 ColourMap ColourMap::for_range(double low, double high) const {
   ColourMap part = *this;
-  if (diverging && low == 0.0)
-    part.first = 0.5;
-  else if (diverging && high == 0.0)
-    part.last = 0.5;
+  if (diverging && low <= 0.0 && high >= 0.0 && low < high) {
+    const double largest = std::max(-low, high);
+    part.first = 0.5 * (1.0 + low / largest);
+    part.last = 0.5 * (1.0 + high / largest);
+  }
   return part;
 }
 

@@ -142,8 +142,13 @@ ValueRange ScaleSurvey::colours() const {
   } else if (least_ <= most_) {
     range.low = std::min(0.0, least_);
     range.high = most_;
-    if (centred_) {  // values of one sign need only half of the colours
-      const double largest = std::max(std::abs(least_), std::abs(most_));
+    // Values of one sign need only half of the colours, and those of nearly one sign
+    // little more.
+    constexpr double little = 0.1;
+    const double largest = std::max(std::abs(least_), std::abs(most_));
+    const bool is_lopsided =
+        least_ < 0.0 && most_ > 0.0 && std::min(-least_, most_) < little * largest;
+    if (centred_ && !is_lopsided) {
       range.low = least_ < 0.0 ? -largest : 0.0;
       range.high = most_ > 0.0 ? largest : 0.0;
     }

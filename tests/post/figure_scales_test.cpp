@@ -42,6 +42,19 @@ TEST(Figure, ValuesOfOneSignHaveHalfOfADivergingMap) {
   EXPECT_EQ(both.high, 8.0);
   for (const ValueRange& range : {above, below, both})
     EXPECT_EQ(colour(range, 0), all(diverging(0.5)));
+  // A small side does not need the other half of the map either (-15409 to 165).
+  const ValueRange nearly = scales(-8, 0.7).colours, enough = scales(-8, 0.9).colours;
+  EXPECT_EQ(std::pair(nearly.low, nearly.high), std::pair(-8.0, 0.7));
+  EXPECT_EQ(std::pair(enough.low, enough.high), std::pair(-8.0, 8.0));
+  const auto near = [](const std::array<double, 3>& one, const Colour& other) {
+    EXPECT_NEAR(one[0], other.r, 1e-12);
+    EXPECT_NEAR(one[1], other.g, 1e-12);
+    EXPECT_NEAR(one[2], other.b, 1e-12);
+  };
+  near(colour(nearly, -8), diverging(0));
+  near(colour(nearly, 0), diverging(0.5));
+  near(colour(nearly, 0.7), diverging(0.5 + 0.5 * 0.7 / 8));
+  near(colour({-2, 4}, 0), diverging(0.5));  // also in a range that the user gives
   EXPECT_EQ(colour(above, 8), all(diverging(1)));
   EXPECT_EQ(colour(below, -8), all(diverging(0)));
 }

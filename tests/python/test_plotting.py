@@ -158,6 +158,9 @@ def test_arrays(opened):
     drawn.update_scalarmappable()
     np.testing.assert_allclose(drawn.get_facecolor()[3], colors.to_rgba("0.85"))
     assert frame.plot(colour=values - 2).blocks.get_clim() == (-3, 3)
+    nearly = frame.plot(colour=values - 0.25).blocks  # of nearly one sign
+    assert nearly.get_clim() == (-0.25, 4.75)
+    np.testing.assert_allclose(nearly.get_cmap()(0.05), matplotlib.colormaps["RdBu_r"](0.5), atol=0.02)
     assert frame.plot(colour=values > 2).blocks.get_clim() == (0, 1)
     norm = colors.LogNorm(1, 10)
     assert frame.plot(colour=values, norm=norm).blocks.norm is norm

@@ -7,12 +7,14 @@ function colour_map(q) {
   return {diverging, colours: state.reversed ? [...colours].reverse() : colours};
 }
 
-/// Returns the range over all frames. It includes zero, which is the middle of a diverging map.
+/// Returns the range over all frames. It includes zero, which is the middle of a diverging map. The
+/// rules are those of ScaleSurvey::colours.
 function automatic_range(q) {
   let [low, high] = ranges[q.name];
   if (colour_map(q).diverging) {  // values of one sign need only half of the colours
     const most = Math.max(Math.abs(low), Math.abs(high));
-    [low, high] = [low < 0 ? -most : 0, high > 0 ? most : 0];
+    const lopsided = low < 0 && high > 0 && Math.min(-low, high) < 0.1 * most;
+    if (!lopsided) [low, high] = [low < 0 ? -most : 0, high > 0 ? most : 0];
   }
   else if (!is_place(q.name)) low = Math.min(low, 0);
   return high > low ? [low, high] : colour_map(q).diverging ? [-1, 1] : [low, low + 1];
@@ -23,12 +25,13 @@ function colour_range(q) {
   return [typed[0] ?? low, typed[1] ?? high];
 }
 
-/// Returns the colours of a range. Those of a diverging map are one half of it if the range begins or
-/// ends at 0, so that zero keeps the colour in the middle.
+/// Returns the colours of a range. If the range holds zero, those of a diverging map are a part of it in
+/// which zero keeps the colour in the middle: one half if the range begins or ends at 0.
 function colours_of(q, [low, high]) {
   const {diverging, colours} = colour_map(q), middle = (colours.length - 1) / 2;
-  if (!diverging || (low !== 0 && high !== 0)) return colours;
-  return low === 0 ? colours.slice(middle) : colours.slice(0, middle + 1);
+  if (!diverging || low > 0 || high < 0 || !(low < high)) return colours;
+  const end = (value) => Math.round(middle * (1 + value / Math.max(-low, high)));
+  return colours.slice(end(low), end(high) + 1);
 }
 
 /// Returns a function that gives the colour of a block of that half in that frame.

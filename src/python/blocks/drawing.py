@@ -227,8 +227,9 @@ def _set_values(
         found = matplotlib.colormaps[found]
     has_range = "norm" in options or "clim" in options
     low, high = _range_of(values, zero, one_sided=cmap is None)
-    if zero == "middle" and not has_range and 0.0 in (low, high):
-        ends = (0.5, 1.0) if low == 0.0 else (0.0, 0.5)  # zero keeps the colour in the middle
+    if zero == "middle" and not has_range and low != -high:
+        largest = max(-low, high)
+        ends = 0.5 + 0.5 * low / largest, 0.5 + 0.5 * high / largest  # zero keeps the colour in the middle
         found = colors.ListedColormap(found(np.linspace(*ends, 256)), found.name)
     if "cmap" not in options:
         blocks.set_cmap(found.with_extremes(bad="0.85"))
@@ -238,12 +239,15 @@ def _set_values(
 
 
 def _range_of(values: _Floats, zero: str, one_sided: bool) -> tuple[float, float]:
-    """Returns the range of the colours. If zero is in the middle, the range is centred on 0, or ends there if
-    `one_sided` and all values have one sign."""
+    """Returns the range of the colours. If zero is in the middle, the range is centred on 0. If `one_sided`, it
+    ends there if all values have one sign, and at the values if those of one sign reach less than a tenth as
+    far as the others."""
     known = values[np.isfinite(values)]
     low, high = (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
     if zero == "middle":
         largest = max(abs(low), abs(high)) or 1.0
+        if one_sided and low < 0.0 < high and min(-low, high) < 0.1 * largest:
+            return low, high
         is_half = one_sided and (low < 0.0) != (high > 0.0)
         return (0.0 if is_half and high > 0.0 else -largest), (0.0 if is_half and low < 0.0 else largest)
     low = min(0.0, low) if zero == "lowest" else low
