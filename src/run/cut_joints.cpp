@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <variant>
@@ -106,17 +107,19 @@ class Generator {
     set.start = around_.outline.front();
     return set;
   }
+  /// The number of pieces of a set; infinite if there are too many to count.
+  double pieces(const geometry::JointSet& set) const {
+    try {
+      return geometry::expected_pieces(set, around_.outline);
+    } catch (const geometry::CutError&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
   /// Whether many tracks or traces are between the start of the set and the outline,
   /// compared with the same set that starts at the outline.
   bool is_far(const geometry::JointSet& set, const geometry::JointSet& near) const {
     constexpr double many = 1e5;  // check_room() counts 720 MB for them
-    try {
-      return geometry::expected_pieces(set, around_.outline) -
-                 geometry::expected_pieces(near, around_.outline) >
-             many;
-    } catch (const geometry::CutError&) {
-      return true;
-    }
+    return pieces(set) - pieces(near) > many;
   }
   void prepare(const deck::Voronoi& card) {
     std::string places;  // so that equal cards cut different outlines differently
