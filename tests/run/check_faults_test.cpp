@@ -106,8 +106,8 @@ TEST_F(CheckFaults, OfCopiesAreCountedToo) {
               AllOf(HasSubstr("DRIVE: block 4 is not fixed"), HasSubstr("2 errors")));
 }
 
-// Nobody knows how many blocks the mesh has, so the number of the block behind is not
-// sure.
+// The number of blocks in the mesh is unknown, so the block behind it has no sure
+// number, and its faults are not reported.
 TEST_F(CheckFaults, OfAnAbsentMeshHideTheBlocksBehind) {
   EXPECT_THAT(faults_of(preliminary() + square + "READ9, absent.msh\n" +
                         rectangle(5, 5, 6, 6) + "DRIVE, 2, 1, 0\nDRIVE, 1, 1, 0\n"),
