@@ -116,8 +116,8 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
     if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&
         !has_corners_of(blocks, pose))
       return expire(p);
-  renewal.next_check = bounds.most + renewal_motion(low, high) / motion_per_growth;
-  next_examination[p] = {};
+  next_examination[p] = {0.0,
+                         bounds.most + renewal_motion(low, high) / motion_per_growth};
   holds(blocks, parts, index.pairs[p], p);
 }
 
@@ -193,7 +193,7 @@ bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
                       const NearPair& pair, int p) {
   if (is_postponed(pair, p))
     return true;
-  Renewal& renewal = renewals[p];
+  const Renewal& renewal = renewals[p];
   const auto [low, high] = pair;
   if (renewal.empty()) {
     const Room& room = rooms[p];
@@ -203,16 +203,17 @@ bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
   const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
   if (!(to_limits > 0.0))
     return false;
-  if (!(bounds.most < renewal.next_check)) {
+  double all = next_examination[p].all;
+  if (!(bounds.most < all)) {
     const double left = renewal_motion(low, high) - motion_since(blocks, renewal.poses);
-    renewal.next_check = bounds.most + left / motion_per_growth;
+    all = bounds.most + left / motion_per_growth;
   }
   // Corners are rounded in each step. At a distance below that, every step checks.
   const double rounding =
       0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
                  blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
-  postpone(pair, p, to_limits - rounding, renewal.next_check);
-  return bounds.most < renewal.next_check;
+  postpone(pair, p, to_limits - rounding, all);
+  return bounds.most < all;
 }
 
 }  // namespace blocks::dynamics

@@ -17,12 +17,9 @@ struct Renewal {
   /// Of the two blocks and their neighbours when the decision was made.
   std::vector<KeptPose> poses;
   std::vector<KeptDepth> depths;  ///< depths on which it depends
-  /// [L] The motion is certainly below its limit while MotionBounds::most is less than
-  /// this.
-  double next_check = 0.0;
 
   bool empty() const { return poses.empty(); }
-  void clear() { poses.clear(), depths.clear(), next_check = 0.0; }
+  void clear() { poses.clear(), depths.clear(); }
 };
 
 /// When a decision has to be examined: it certainly holds while the paths of its two
