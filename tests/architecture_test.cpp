@@ -55,6 +55,10 @@ std::string folder_of(const std::string& target) {
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
 
+/// The list of the states of a contact. The layout of kernels and the states that
+/// readers of results know follow from it.
+constexpr const char* list_of_states = "model/joint_state.hpp";
+
 // Without sources the tests below would pass.
 TEST(Architecture, SourceFoldersAreFound) {
   std::set<std::string> folders;
@@ -138,7 +142,8 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
   for (const Include& include : includes()) {
     const std::string target = folder_of(include.target);
     if (const auto rule = may.find(include.folder);
-        rule != may.end() && !target.empty()) {
+        rule != may.end() && !target.empty() &&
+        !(include.folder == "post" && include.target == list_of_states)) {
       EXPECT_TRUE(rule->second.contains(target))
           << include.file << " includes " << include.target;
     }
@@ -176,7 +181,7 @@ TEST(Architecture, FoldersOfTheStepIncludeOnlyAllowedFolders) {
 }
 
 // Of other folders, the contact rule includes blocks, kept depths and geometry, kernels
-// include constants of geometry, and support includes nothing.
+// include constants of geometry and the list of states, and support includes nothing.
 TEST(Architecture, RulesKernelsAndSupportAreIndependentOfTheModel) {
   for (const Include& include : includes()) {
     const std::string folder = folder_of(include.target);
@@ -188,12 +193,27 @@ TEST(Architecture, RulesKernelsAndSupportAreIndependentOfTheModel) {
           << include.file << " includes " << include.target;
     }
     if (include.folder == "dynamics/kernels") {
-      EXPECT_EQ(include.target, "geometry/contact_constants.hpp") << include.file;
+      EXPECT_TRUE(include.target == "geometry/contact_constants.hpp" ||
+                  include.target == list_of_states)
+          << include.file << " includes " << include.target;
     }
     if (include.folder == "dynamics/support") {
       ADD_FAILURE() << include.file << " includes " << include.target;
     }
   }
+}
+
+// Kernels are compiled for instruction sets that the processor may lack, so what they
+// include must not bring functions of other headers.
+TEST(Architecture, TheListOfStatesDependsOnTheStandardLibraryOnly) {
+  int headers = 0;
+  for (const Include& include : includes())
+    if (include.file == std::string("src/") + list_of_states) {
+      ++headers;
+      EXPECT_EQ(include.target.find_first_of("/."), std::string::npos)
+          << include.target;
+    }
+  EXPECT_GT(headers, 0);
 }
 
 // Installed headers include no header that is not installed.

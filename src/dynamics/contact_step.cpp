@@ -15,12 +15,6 @@ int ContactSteps::law(int slot, int lane) const {
   return has_laws ? arrays_.batches.at(slot, &FaceRow::law) : 0;
 }
 
-double ContactSteps::length(const JointRow* joints, int slot, int lane) const {
-  return !is_stateless(law(slot, lane))
-             ? joints[slot / lane_count].length[slot % lane_count]
-             : 0.0;
-}
-
 ContactState<double> ContactSteps::state(const SpringRow* springs,
                                          const JointRow* joints, int slot,
                                          int lane) const {
@@ -34,13 +28,7 @@ ContactState<double> ContactSteps::state(const SpringRow* springs,
     state.failed = 1.0;
     return state;
   }
-  const JointRow& joint = joints[row];
-  state.stiffness = joint.stiffness[k];
-  state.shear_stiffness = joint.shear_stiffness[k];
-  state.slip = joint.slip[k], state.path = joint.path[k];
-  state.closure = joint.closure[k], state.plastic = joint.plastic[k];
-  state.offset = joint.offset[k];
-  state.bonded = joint.bonded[k], state.failed = joint.failed[k];
+  each_state([k](double& to, const double* from) { to = from[k]; }, state, joints[row]);
   return state;
 }
 
@@ -111,15 +99,15 @@ ContactStep ContactSteps::at(int slot, int lane) const {
   const ContactState<double> after =
       state(batches.advanced, batches.advanced_joints, slot, lane);
   ContactState<double> before = state(batches.springs, batches.joints, slot, lane);
-  // The kernel sets the stiffness of the step, and the strength of a new contact.
+  // The kernel sets stiffness and length of the step, and the strength of a new
+  // contact.
   if (!(before.stiffness > 0.0) && !(before.bonded > 0.0))
     before.failed = 1.0;
   before.stiffness = after.stiffness, before.shear_stiffness = after.shear_stiffness;
+  before.length = after.length;
   ContactMotion<double> moves = motion(slot, lane);
-  if (!is_stateless(number)) {
-    moves.length = length(batches.advanced_joints, slot, lane);
+  if (!is_stateless(number))
     moves.damping *= std::sqrt(after.stiffness / settings_.normal_stiffness);
-  }
 
   const LawBits bit = energies_.bit_of(number);
   const ContactForce<double> force = force_of(number, moves, before);
@@ -138,8 +126,8 @@ ContactStep ContactSteps::at(int slot, int lane) const {
   step.normal_force = force.normal, step.shear_force = force.shear;
   step.shear_compliance =
       after.shear_stiffness > 0.0 ? 1.0 / after.shear_stiffness : 0.0;
-  const SpringEnergy stored_before = energies_.of(number, before, moves.length);
-  const SpringEnergy stored = energies_.of(number, after, moves.length);
+  const SpringEnergy stored_before = energies_.of(number, before);
+  const SpringEnergy stored = energies_.of(number, after);
   step.normal_energy_before = stored_before.normal;
   step.shear_energy_before = stored_before.shear;
   step.normal_energy = step.normal_energy_acting = stored.normal;
@@ -147,7 +135,7 @@ ContactStep ContactSteps::at(int slot, int lane) const {
   if (rise != 0.0) {
     ContactState<double> acting = after;
     acting.normal = step.normal;
-    step.normal_energy_acting = energies_.of(number, acting, moves.length).normal;
+    step.normal_energy_acting = energies_.of(number, acting).normal;
   }
   step.fails = after.failed > before.failed;
   step.is_hysteretic = bit == walton_bit;
@@ -157,8 +145,7 @@ ContactStep ContactSteps::at(int slot, int lane) const {
 double ContactSteps::stored(int slot, int lane) const {
   const ContactBatches& batches = arrays_.batches;
   return energies_
-      .of(law(slot, lane), state(batches.springs, batches.joints, slot, lane),
-          length(batches.joints, slot, lane))
+      .of(law(slot, lane), state(batches.springs, batches.joints, slot, lane))
       .both();
 }
 

@@ -32,7 +32,6 @@ class ContactSteps {
   int law(int slot, int lane) const;
   /// Returns whether contacts of this law have no state.
   bool is_stateless(int law) const { return law == 0 && !arrays_.laws.in_situ(); }
-  double length(const JointRow* joints, int slot, int lane) const;
 
   const Blocks& blocks_;
   const Settings& settings_;

@@ -144,18 +144,8 @@ class Loading {
   void test(const ContactEntry& entry, int law) {
     const auto& [contact, state] = entry;
     ContactMotion<double> still{};
-    still.overlap = contact.overlap, still.length = state.length;
-    ContactState<double> now = {contact.normal_elastic,
-                                contact.shear_elastic,
-                                state.stiffness,
-                                state.shear_stiffness,
-                                state.slip,
-                                state.path,
-                                state.closure,
-                                state.plastic,
-                                state.offset,
-                                state.bonded ? 1.0 : 0.0,
-                                state.failed ? 1.0 : 0.0};
+    still.overlap = contact.overlap;
+    ContactState<double> now = state_of(contact, state);
     ContactForce<double> force{};
     const LawValues<double> values = energies_.values_of(law);
     constexpr double any_step = 1.0;

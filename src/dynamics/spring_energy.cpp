@@ -16,6 +16,13 @@ double half_inverse(double stiffness) {
 
 }  // namespace
 
+ContactState<double> state_of(const Contact& contact, const JointState& state) {
+  ContactState<double> now;
+  now.normal = contact.normal_elastic, now.shear = contact.shear_elastic;
+  each_state([](double& to, auto from) { to = static_cast<double>(from); }, now, state);
+  return now;
+}
+
 SpringEnergies::SpringEnergies(const Settings& settings, const LawTable& laws)
     : settings_(settings), laws_(laws),
       half_compliance_(half_inverse(settings.normal_stiffness)),
@@ -31,8 +38,7 @@ LawValues<double> SpringEnergies::values_of(int law) const {
           all.peak_slip[i],         all.largest_closure[i],   all.linear_from[i]};
 }
 
-SpringEnergy SpringEnergies::of(int law, ContactState<double> state,
-                                double length) const {
+SpringEnergy SpringEnergies::of(int law, ContactState<double> state) const {
   if (law == 0 && !laws_.in_situ())
     return {state.normal * state.normal * half_compliance_,
             state.shear * state.shear * half_shear_compliance_};
@@ -46,21 +52,15 @@ SpringEnergy SpringEnergies::of(int law, ContactState<double> state,
   case walton_bit:
     return {walton_energy(values_of(law), state), shear};
   case barton_bit:
-    return {barton_energy(values_of(law), length, state), shear};
+    return {barton_energy(values_of(law), state), shear};
   default:
     return {coulomb_energy(state), shear};
   }
 }
 
 SpringEnergy SpringEnergies::of(const Contact& contact, const JointState* state) const {
-  ContactState<double> springs{};
-  springs.normal = contact.normal_elastic;
-  springs.shear = contact.shear_elastic;
-  if (state == nullptr)
-    return of(0, springs, 0.0);
-  springs.stiffness = state->stiffness;
-  springs.shear_stiffness = state->shear_stiffness;
-  return of(laws_.number_of(state->law), springs, state->length);
+  return state == nullptr ? of(0, state_of(contact, {}))
+                          : of(laws_.number_of(state->law), state_of(contact, *state));
 }
 
 }  // namespace blocks::dynamics

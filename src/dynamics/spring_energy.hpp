@@ -13,13 +13,16 @@ struct SpringEnergy {
   double both() const { return normal + shear; }
 };
 
+/// Returns the state of a contact of the list, as its law sees it.
+ContactState<double> state_of(const Contact& contact, const JointState& state);
+
 /// Refers to the settings and the table.
 class SpringEnergies {
  public:
   SpringEnergies(const Settings& settings, const LawTable& laws);
-  /// Returns the energies of a contact. law: number in the table; length: L, [L]. Law
-  /// 0, and contacts that have no stiffness yet, have that of STIFF.
-  SpringEnergy of(int law, ContactState<double> state, double length) const;
+  /// Returns the energies of a contact. law: number in the table. Law 0, and contacts
+  /// that have no stiffness yet, have that of STIFF.
+  SpringEnergy of(int law, ContactState<double> state) const;
   /// Returns the energies of a contact of the list. state: null without laws.
   SpringEnergy of(const Contact& contact, const JointState* state) const;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/blocks.hpp"
+#include "model/joint_state.hpp"
 
 namespace blocks {
 
@@ -22,26 +23,6 @@ struct Contact {
   double shear_force = 0.0;     ///< [F] spring and dashpot
   double overlap = 0.0;         ///< [L] depth of the corner below the edge, >= 0
   bool operator==(const Contact&) const = default;
-};
-
-/// What the law of a joint remembers of a contact, in addition to its springs
-/// (docs/laws.md). If `law` is 0, its other values have an effect only after INSITU.
-struct JointState {
-  int law = 0;  ///< joint id whose law acts; 0: STIFF and FRICTN
-  /// [F/L] stiffnesses of the contact, frozen while the length does not grow
-  double stiffness = 0.0, shear_stiffness = 0.0;
-  double slip = 0.0;     ///< [L] up, plastic slip with its sign
-  double path = 0.0;     ///< [L] length of the path of the slip
-  double closure = 0.0;  ///< [L] a, sum of the closing (Walton, Bandis)
-  /// [L] a0, the part of `closure` that stays (Walton); opening by dilation (Barton)
-  double plastic = 0.0;
-  /// [L] r0, added to the overlap: dilation. A contact acts while bonded or while
-  /// overlap + offset > 0.
-  double offset = 0.0;
-  bool bonded = false;  ///< it acts in tension too
-  bool failed = false;  ///< residual values apply; contacts not made by BOND: true
-  double length = 0.0;  ///< [L] part of the faces that the contact stands for; output
-  bool operator==(const JointState&) const = default;
 };
 
 /// Returns the two blocks of a contact, the lower number first.

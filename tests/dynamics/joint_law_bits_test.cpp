@@ -51,12 +51,12 @@ TEST(JointLawBits, FrictionOnlyIsTheLawOfTheReport) {
     Law law = {};
     law.friction = law.residual_friction = old.friction;
     law.dilation_limit = i % 2 == 0 ? infinity : random.positive();
-    const Motion motion = {random.any(),      random.any(),      random.positive(),
-                           random.positive(), 1.0 * (i % 3 > 0), random.positive()};
+    const Motion motion = {random.any(), random.any(), random.positive(),
+                           random.positive(), 1.0 * (i % 3 > 0)};
     State state = {};
     state.normal = random.positive(), state.shear = random.any();
     state.stiffness = old.normal_stiffness, state.shear_stiffness = old.shear_stiffness;
-    state.failed = random.below(2);
+    state.failed = random.below(2), state.length = random.positive();
     double normal = state.normal, shear = state.shear, fn, fs;
     Force force;
     if (i % 3 == 0 && i % 2 == 0) {
@@ -99,14 +99,13 @@ EightContacts random_contacts(Random& random) {
                           random.above_zero(),
                           vm,
                           linear};
-    const double motion[] = {random.any(),          random.any(),
-                             random.positive(),     random.positive(),
-                             1.0 * random.below(2), random.positive()};
+    const double motion[] = {random.any(), random.any(), random.positive(),
+                             random.positive(), 1.0 * random.below(2)};
     const double state[] = {
-        random.positive(),     random.any(),         random.above_zero(),
-        random.positive(),     random.any(),         random.positive(),
-        random.positive(),     random.positive(),    random.positive(),
-        1.0 * random.below(2), 1.0 * random.below(2)};
+        random.positive(),     random.any(),          random.above_zero(),
+        random.positive(),     random.any(),          random.positive(),
+        random.positive(),     random.positive(),     random.positive(),
+        1.0 * random.below(2), 1.0 * random.below(2), random.positive()};
     for (std::size_t i = 0; i < std::size(law); ++i)
       eight.law[i][k] = law[i];
     for (std::size_t i = 0; i < std::size(motion); ++i)

@@ -36,7 +36,7 @@ TEST(JointLaws, TensionFallsToItsResidual) {
   for (const double residual : {0.0, 0.05 * MPa}) {
     OneContact contact = bonded_joint(0.0);
     contact.law.tension = 0.2 * MPa, contact.law.residual_tension = residual;
-    contact.length = 3.0;
+    contact.state.length = 3.0;
     contact.move(-0.6 * MN / (10 * GPa), 0.0);  // the strength is not exceeded
     EXPECT_EQ(contact.state.failed, 0.0);
     EXPECT_CLOSE(contact.force.normal, -0.6 * MN, 1e-15);
@@ -243,7 +243,7 @@ TEST(JointLaws, BartonAnglesAreAtMost70Degrees) {
 
 TEST(JointLaws, BartonWithoutFaceIsFriction) {
   OneContact contact = rough_joint(1e8);
-  contact.length = 0.0;
+  contact.state.length = 0.0;
   contact.move(0.3 * mm, 0.0);  // more than vm
   EXPECT_CLOSE(contact.force.normal, 3 * MN, 1e-15);
   contact.move(0.0, 1.0);

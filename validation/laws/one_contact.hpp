@@ -25,20 +25,19 @@ struct OneContact {
   LawValues<double> law = {};
   ContactState<double> state = {};
   ContactForce<double> force = {};
-  double length = 1.0;   ///< [L]
   double overlap = 1.0;  ///< [L] limits the first step only
   bool starts = false;   ///< the next step is the first
 
   OneContact(Kind of, double kn, double ks) : kind(of) {
     state.stiffness = kn, state.shear_stiffness = ks;
     law.dilation_limit = std::numeric_limits<double>::infinity();
-    state.failed = 1.0;
+    state.failed = 1.0, state.length = 1.0;
   }
   /// Moves the two sides towards each other by `closing` and along each other by
   /// `sliding` [L] in one step.
   void move(double closing, double sliding) {
-    const ContactMotion<double> motion = {
-        closing, sliding, overlap, 0.0, starts ? 1.0 : 0.0, length};
+    const ContactMotion<double> motion = {closing, sliding, overlap, 0.0,
+                                          starts ? 1.0 : 0.0};
     starts = false;
     if (kind == Kind::coulomb)
       apply_coulomb(law, 1.0, motion, state, force);
@@ -50,7 +49,7 @@ struct OneContact {
   double energy() const {
     return kind == Kind::coulomb  ? coulomb_energy(state)
            : kind == Kind::walton ? walton_energy(law, state)
-                                  : barton_energy(law, length, state);
+                                  : barton_energy(law, state);
   }
 };
 
@@ -77,14 +76,14 @@ inline OneContact rough_joint(double shear_stiffness) {
 }
 /// Loads a rough joint to a normal force.
 inline void load(OneContact& contact, double normal_force) {
-  const BandisClosure<double> bandis(contact.law, contact.length,
+  const BandisClosure<double> bandis(contact.law, contact.state.length,
                                      contact.state.stiffness);
   contact.move(bandis.closure(normal_force) - bandis.closure(contact.state.normal),
                0.0);
 }
 /// Slides by `sliding` in `steps` steps while the normal force is kept.
 inline void slide(OneContact& contact, double normal_force, double sliding, int steps) {
-  const BandisClosure<double> bandis(contact.law, contact.length,
+  const BandisClosure<double> bandis(contact.law, contact.state.length,
                                      contact.state.stiffness);
   for (int i = 0; i < steps; ++i) {
     const double closing =

@@ -49,25 +49,17 @@ JointState ContactArrays::joint_of(const JointRow* rows, int slot) const {
   // Contacts without a law may share a batch with others, whose kernel writes to them.
   if (law == 0 && !laws.in_situ())
     return {};
-  return {laws.id(law),        row.stiffness[k], row.shear_stiffness[k],
-          row.slip[k],         row.path[k],      row.closure[k],
-          row.plastic[k],      row.offset[k],    row.bonded[k] > 0.0,
-          row.failed[k] > 0.0, row.length[k]};
+  JointState state = {.law = laws.id(law)};
+  each_state([k]<class State>(State& to,
+                              const double* from) { to = static_cast<State>(from[k]); },
+             state, row);
+  return state;
 }
 
 void ContactArrays::put_joint(int slot, const JointState& state) {
-  JointRow& row = batches.joints[slot / lane_count];
   const int k = slot % lane_count;
-  row.stiffness[k] = state.stiffness;
-  row.shear_stiffness[k] = state.shear_stiffness;
-  row.slip[k] = state.slip;
-  row.path[k] = state.path;
-  row.closure[k] = state.closure;
-  row.plastic[k] = state.plastic;
-  row.offset[k] = state.offset;
-  row.bonded[k] = state.bonded ? 1.0 : 0.0;
-  row.failed[k] = state.failed ? 1.0 : 0.0;
-  row.length[k] = state.length;
+  each_state([k](double* to, auto from) { to[k] = static_cast<double>(from); },
+             batches.joints[slot / lane_count], state);
 }
 
 /// Finds the laws of the contacts of pair p and the records beside them.

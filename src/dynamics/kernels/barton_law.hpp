@@ -78,7 +78,7 @@ template <bool may_start = true, class Number>
   state.bonded = none, state.failed = whole;
 
   const Closing<Number> closing = closing_of<may_start>(dt, motion, state);
-  const BandisClosure<Number> bandis(law, motion.length, state.stiffness);
+  const BandisClosure<Number> bandis(law, state.length, state.stiffness);
   const Number before = bandis.closure(state.normal);
   Number closure = positive(Number(before + closing.share * closing.advance));
   if constexpr (may_start) {
@@ -95,7 +95,7 @@ template <bool may_start = true, class Number>
   const Number moved = state.path + (state.shear_stiffness > 0.0 ? bent : none);
   const Number u = moved / law.peak_slip;
   // The angle that roughness adds: -phi_r without slip, 0 at 0.3 peak slips.
-  const Number stress_ratio = law.wall_strength * motion.length / force.normal;
+  const Number stress_ratio = law.wall_strength * state.length / force.normal;
   const Number above = stress_ratio > 1.0 ? stress_ratio : whole;
   const Number bounded = above < largest_ratio ? above : none + largest_ratio;
   const Number peak = law.roughness * per_degree * log10_of(bounded);
@@ -130,9 +130,8 @@ template <bool may_start = true, class Number>
 /// Returns the elastic energy of the springs, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number barton_energy(const LawValues<Number>& law,
-                                                   const Number& length,
                                                    const ContactState<Number>& state) {
-  const BandisClosure<Number> bandis(law, length, state.stiffness);
+  const BandisClosure<Number> bandis(law, state.length, state.stiffness);
   return bandis.energy(bandis.closure(state.normal)) + shear_energy(state);
 }
 

@@ -22,14 +22,12 @@ struct alignas(64) FaceRow {
   PerLane<int> before, after;  ///< corners of the block next to the corner
 };
 
-/// What laws remember of the contacts of a row (JointState of the model).
+/// What laws remember of the contacts of a row (JointState of the model). Flags are 1
+/// or 0.
 struct alignas(64) JointRow {
-  PerLane<double> stiffness, shear_stiffness;  ///< [F/L]
-  PerLane<double> slip, path;                  ///< [L]
-  PerLane<double> closure, plastic;            ///< [L]
-  PerLane<double> offset;                      ///< [L]
-  PerLane<double> bonded, failed;              ///< 1 or 0
-  PerLane<double> length;                      ///< [L] of this step, for output
+#define BLOCKS_MEMBER(member, ...) PerLane<double> member;
+  BLOCKS_JOINT_STATES(BLOCKS_MEMBER)
+#undef BLOCKS_MEMBER
 };
 
 /// Which laws occur in a batch, one bit for each LawKind. 0: STIFF and FRICTN only.

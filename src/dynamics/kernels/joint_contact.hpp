@@ -2,6 +2,8 @@
 // (docs/laws.md). A Number is a number of one contact, or of all lanes of a vector.
 #pragma once
 
+#include "model/joint_state.hpp"
+
 namespace blocks::dynamics {
 
 /// The values of JointLaw of one contact. [F] force, [L] length.
@@ -24,16 +26,15 @@ template <class Number> struct ContactMotion {
   Number overlap;   ///< [L] >= 0
   Number damping;   ///< [F T/L] C of (18)
   Number starting;  ///< 1 in the first step of the contact or after a transfer, else 0
-  Number length;    ///< [L] L, the part of the faces that the contact stands for
 };
 
-/// The state of a contact, advanced by its law. See JointState. For Barton `plastic` is
-/// the opening by dilation.
+/// The state of a contact, advanced by its law. See JointState; flags are 1 or 0. The
+/// step sets `length` before the law acts.
 template <class Number> struct ContactState {
   Number normal, shear;  ///< [F] FN, FS of the springs
-  Number stiffness, shear_stiffness;
-  Number slip, path, closure, plastic, offset;
-  Number bonded, failed;  ///< 1 or 0
+#define BLOCKS_MEMBER(member, ...) Number member;
+  BLOCKS_JOINT_STATES(BLOCKS_MEMBER)
+#undef BLOCKS_MEMBER
 };
 
 /// The forces of a contact in this step, dashpots included, [F].

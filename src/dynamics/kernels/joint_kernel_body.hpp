@@ -104,40 +104,24 @@ BLOCKS_INLINE LawValues<Pack> values_of(const LawColumns& laws, const int* law,
 }
 
 BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, int i) {
-  const SpringRow& springs = batches.springs[s];
-  const JointRow& joints = batches.joints[s];
-  return {load(springs.normal_elastic, i),
-          load(springs.shear_elastic, i),
-          load(joints.stiffness, i),
-          load(joints.shear_stiffness, i),
-          load(joints.slip, i),
-          load(joints.path, i),
-          load(joints.closure, i),
-          load(joints.plastic, i),
-          load(joints.offset, i),
-          load(joints.bonded, i),
-          load(joints.failed, i)};
+  ContactState<Pack> state;
+  const auto get = [&](Pack & x, const double* row) __attribute__((always_inline)) {
+    x = load(row, i);
+  };
+  get(state.normal, batches.springs[s].normal_elastic);
+  get(state.shear, batches.springs[s].shear_elastic);
+  each_state(get, state, batches.joints[s]);
+  return state;
 }
 /// Stores the states of the lanes that act, and zeros for the others.
 BLOCKS_INLINE void store_state(const BatchArrays& batches, int s, int i, Choice acts,
-                               const ContactState<Pack>& state, Pack length) {
-  const auto put = [&](double* row, Pack x) __attribute__((always_inline)) {
+                               const ContactState<Pack>& state) {
+  const auto put = [&](double* row, const Pack& x) __attribute__((always_inline)) {
     store(row, i, where(acts, x));
   };
-  SpringRow& springs = batches.advanced[s];
-  JointRow& joints = batches.advanced_joints[s];
-  put(springs.normal_elastic, state.normal);
-  put(springs.shear_elastic, state.shear);
-  put(joints.stiffness, state.stiffness);
-  put(joints.shear_stiffness, state.shear_stiffness);
-  put(joints.slip, state.slip);
-  put(joints.path, state.path);
-  put(joints.closure, state.closure);
-  put(joints.plastic, state.plastic);
-  put(joints.offset, state.offset);
-  put(joints.bonded, state.bonded);
-  put(joints.failed, state.failed);
-  put(joints.length, length);
+  put(batches.advanced[s].normal_elastic, state.normal);
+  put(batches.advanced[s].shear_elastic, state.shear);
+  each_state(put, batches.advanced_joints[s], state);
 }
 
 /// Returns the stiffness of a contact, [F/L]. It grows with the length, but does not
@@ -174,17 +158,12 @@ apply_in_lanes(LawBits laws, Pack kind_of_lane, const LawValues<Pack>& values,
   ContactState<Pack> own = start;
   ContactForce<Pack> of = {};
   apply_law<kind, true>(values, dt, motion, own, of);
-  const auto put = [&](Pack & to, Pack x) __attribute__((always_inline)) {
+  const auto put = [&](Pack & to, const Pack& x) __attribute__((always_inline)) {
     to = kind_of_lane == static_cast<double>(kind) ? x : to;
   };
   put(force.normal, of.normal), put(force.shear, of.shear);
   put(state.normal, own.normal), put(state.shear, own.shear);
-  put(state.stiffness, own.stiffness);
-  put(state.shear_stiffness, own.shear_stiffness);
-  put(state.slip, own.slip), put(state.path, own.path);
-  put(state.closure, own.closure), put(state.plastic, own.plastic);
-  put(state.offset, own.offset), put(state.bonded, own.bonded);
-  put(state.failed, own.failed);
+  each_state(put, state, own);
 }
 
 /// Steps a. to e. for row s. kind: the only kind of law in the batch; 0: several.
@@ -198,8 +177,8 @@ act_joint_row(const BatchArrays& batches, const BatchPairs& pairs, int s,
   const Choice acts = choice_of(load(row.acts, i));
   const Bits starts = load(row.starts, i);
   const Point v = two.velocity(at.x - two.low_x, at.y - two.low_y);
-  const Pack length = length_of(batches, pairs, s, sides, at.per_length, blocks, i);
   ContactState<Pack> state = load_state(batches, s, i);
+  state.length = length_of(batches, pairs, s, sides, at.per_length, blocks, i);
   const int* const law = batches.faces[s].law + i;
 
   // A contact without bond is born with the residual strength.
@@ -208,18 +187,15 @@ act_joint_row(const BatchArrays& batches, const BatchPairs& pairs, int s,
   const LawColumns& laws = batches.laws;
   state.stiffness = stiffness_of(state.stiffness,
                                  law_value(laws.normal_stiffness, law, pairs.only_law),
-                                 length, usual.normal_stiffness);
+                                 state.length, usual.normal_stiffness);
   state.shear_stiffness = stiffness_of(
       state.shear_stiffness, law_value(laws.shear_stiffness, law, pairs.only_law),
-      length, usual.shear_stiffness);
+      state.length, usual.shear_stiffness);
 
   const ContactMotion<Pack> motion = {
-      -(v[0] * -at.ty + v[1] * at.tx),
-      v[0] * at.tx + v[1] * at.ty,
-      at.overlap,
+      -(v[0] * -at.ty + v[1] * at.tx), v[0] * at.tx + v[1] * at.ty, at.overlap,
       damping * root(state.stiffness / usual.normal_stiffness),
-      where(choice_of(starts), all_of(1.0)),
-      length};
+      where(choice_of(starts), all_of(1.0))};
   const LawValues<Pack> values = values_of(laws, law, pairs.only_law);
   ContactForce<Pack> force = {};
   if constexpr (kind != 0) {
@@ -237,7 +213,7 @@ act_joint_row(const BatchArrays& batches, const BatchPairs& pairs, int s,
     apply_in_lanes<barton_bit>(pairs.laws, kinds, values, usual.dt, motion, start,
                                state, force);
   }
-  store_state(batches, s, i, acts, state, length);
+  store_state(batches, s, i, acts, state);
   // The run judges springs by the stiffness of STIFF, so it gets the force that would
   // press in a contact of STIFF as far. FN / k would say too much: a contact that
   // received a spring has more force than its overlap.

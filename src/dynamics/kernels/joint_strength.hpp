@@ -69,9 +69,8 @@ limit_shear(const Number& trial, const Number& limit, const Number& dashpot,
 /// one loses its bond.
 template <class Number>
 [[gnu::always_inline]] inline void release(const LawValues<Number>& law,
-                                           const Number& length,
                                            ContactState<Number>& state) {
-  const Number none = Number{}, most = -(law.residual_tension * length);
+  const Number none = Number{}, most = -(law.residual_tension * state.length);
   const Number held = state.normal > most ? state.normal : most;
   const Number bonded = law.residual_tension > 0.0 ? state.bonded : none;
   state.normal = state.failed > 0.0 ? held : state.normal;
@@ -89,20 +88,20 @@ apply_strength(const LawValues<Number>& law, double dt, const Number& share,
                ContactForce<Number>& force) {
   const Number whole = Number{} + 1.0;
   const Number tension = state.failed > 0.0 ? law.residual_tension : law.tension;
-  const Number least = -(tension * motion.length);
+  const Number least = -(tension * state.length);
   state.failed = state.normal < least ? whole : state.failed;
 
   const Number trial =
       state.shear + share * state.shear_stiffness * motion.sliding * dt;
   const Number dashpot = motion.damping * motion.sliding;
   const auto limited = [&](Shear<Number> & shear) __attribute__((always_inline)) {
-    release(law, motion.length, state);
+    release(law, state);
     const Number damped = state.normal + motion.damping * motion.closing;
     force.normal = state.bonded > 0.0 ? damped : positive(damped);
     const Number cohesion = state.failed > 0.0 ? law.residual_cohesion : law.cohesion;
     const Number friction = state.failed > 0.0 ? law.residual_friction : law.friction;
     const Number limit =
-        positive(Number(cohesion * motion.length + friction * force.normal));
+        positive(Number(cohesion * state.length + friction * force.normal));
     shear = limit_shear(trial, limit, dashpot, state.shear_stiffness);
     state.failed = shear.spring == trial ? state.failed : whole;
   };

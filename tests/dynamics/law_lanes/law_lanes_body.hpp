@@ -48,7 +48,7 @@ void BLOCKS_ADVANCE(EightContacts& contacts, int kind, double dt) {
       energy = walton_energy(law, state);
     } else {
       apply_barton(law, dt, motion, state, force);
-      energy = barton_energy(law, motion.length, state);
+      energy = barton_energy(law, state);
     }
     store(state, contacts.state, k);
     store(force, contacts.force, k);
