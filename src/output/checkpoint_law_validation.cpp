@@ -99,17 +99,12 @@ void expect_joint_states(const Model& model) {
     if (state.law != 0 && !model.settings.joint_laws.contains(state.law))
       reject_checkpoint(
           fmt::format("joint_states names joint id {}, which has no law", state.law));
-    for (const auto& [name, value, range] :
-         {std::tuple{"stiffness", state.stiffness, &not_negative},
-          {"shear_stiffness", state.shear_stiffness, &not_negative},
-          {"slip", state.slip, &finite},
-          {"path", state.path, &not_negative},
-          {"closure", state.closure, &finite},
-          {"plastic", state.plastic, &finite},
-          {"offset", state.offset, &finite},
-          {"length", state.length, &not_negative}})
-      if (!holds(*range, value))
-        expect(fmt::format("joint_states {}: {}", i + 1, name), value, *range);
+    each_joint_field([&](const JointField& field, auto member) {
+      const double value = state.*member;
+      const Range& range = field.range == StateRange::finite ? finite : not_negative;
+      if (!holds(range, value))
+        expect(fmt::format("joint_states {}: {}", i + 1, field.name), value, range);
+    });
   }
 }
 

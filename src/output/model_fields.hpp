@@ -169,19 +169,9 @@ template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) 
 
 template <class S, class Archive> void visit_joint_states(S& states, Archive& ar) {
   ar.records("joint_states", states, [](auto& column, auto& state) {
-    auto& [law, stiffness, shear_stiffness, slip, path, closure, plastic, offset,
-           bonded, failed, length] = state;
-    column("law", law);
-    column("stiffness", stiffness);
-    column("shear_stiffness", shear_stiffness);
-    column("slip", slip);
-    column("path", path);
-    column("closure", closure);
-    column("plastic", plastic);
-    column("offset", offset);
-    column("bonded", bonded);
-    column("failed", failed);
-    column("length", length);
+    each_joint_field([&](const JointField& field, auto member) {
+      column(field.name, state.*member);
+    });
   });
 }
 

@@ -1,7 +1,7 @@
 // The states of the laws of joints (docs/laws.md) of each frame, in /BLOCKS/contacts.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "model/model.hpp"
 #include "output/hdf5_handle.hpp"
@@ -26,17 +26,10 @@ class JointStateColumns {
   void truncate(hsize_t rows);
 
  private:
-  struct Columns {
-    hdf5::Column law, bonded, failed;
-    hdf5::Column slip, path, dilation, closure, plastic, stiffness, shear_stiffness,
-        length;
-  };
-  /// Calls act(column, name, is_whole) for each column.
-  template <class Act> static void visit(Columns& columns, Act&& act);
   void create();
 
   hid_t own_;
-  std::optional<Columns> columns_;
+  std::vector<hdf5::Column> columns_;  ///< in the order of each_joint_field, or none
 };
 
 }  // namespace blocks::output
