@@ -72,18 +72,6 @@ void restore_shapes(const post::ResultsReader& results, const post::Frame& shown
 /// Any outline, for a block that was removed before the first frame.
 const geometry::Polygon never_shown = {{0, 0}, {0, 1}, {1, 0}};
 
-JointState state_of(const post::FrameContacts::Laws& laws, int i) {
-  JointState state;
-  if (laws.empty())
-    return state;
-  const auto k = static_cast<std::size_t>(i);
-  state.law = laws.law[k];
-  state.bonded = laws.bonded[k] != 0, state.failed = laws.failed[k] != 0;
-  state.slip = laws.slip[i], state.offset = laws.dilation[i];
-  state.plastic = laws.plastic_closure[i], state.length = laws.length[i];
-  return state;
-}
-
 WhyScene from_results(const std::string& path, const std::optional<double>& time) {
   const post::ResultsReader results(path);
   WhyScene scene;
@@ -120,7 +108,7 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
           {blocks.first_corner[stored.corner_block[i] - 1] + stored.corner[i] - 1,
            blocks.first_corner[stored.edge_block[i] - 1] + stored.edge[i] - 1,
            stored.normal_force[i], stored.shear_force[i], stored.overlap[i],
-           state_of(stored.laws, i)});
+           stored.states.empty() ? JointState{} : stored.states[i]});
   return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <type_traits>
 
 #include "post/crack_tracker.hpp"
 #include "post/quantity.hpp"
@@ -48,15 +49,32 @@ std::string block_rows(const std::vector<QuantityKind>& kinds, const Frame& now,
 /// Removes the sign of a zero.
 Eigen::Matrix2Xd plain(const Eigen::Matrix2Xd& values) { return values.array() + 0.0; }
 
+/// Calls act(field, pointer to member) for the states that a row of a contact has after
+/// `joint` and `bond`.
+template <class Act> void each_state_column(const Act& act) {
+  each_joint_field([&](const JointField& field, auto member) {
+    if constexpr (!std::is_same_v<decltype(member), int JointState::*>)
+      act(field, member);
+  });
+}
+
+std::string state_names() {
+  std::string names = ",joint,bond";
+  each_state_column(
+      [&](const JointField& field, auto) { names += "," + field.name_in_tables(); });
+  return names;
+}
+
 /// Returns the state of the law of a contact; `bond` is empty if it has no law.
-std::string law_columns(const FrameContacts::Laws& laws, int i) {
-  const auto k = static_cast<std::size_t>(i);
-  const char* bond = laws.law[k] == 0 ? ""
-                                      : quantities::word(quantities::bond_of(
-                                            laws.bonded[k] != 0, laws.failed[k] != 0));
-  return fmt::format(",{},{},{},{},{},{}", laws.law[k], bond, laws.slip[i] + 0.0,
-                     laws.dilation[i] + 0.0, laws.plastic_closure[i] + 0.0,
-                     laws.length[i]);
+std::string state_columns(const JointState& state) {
+  std::string text = fmt::format(",{},{}", state.law,
+                                 state.law == 0 ? ""
+                                                : quantities::word(quantities::bond_of(
+                                                      state.bonded, state.failed)));
+  each_state_column([&](const JointField&, auto member) {
+    fmt::format_to(std::back_inserter(text), ",{}", state.*member + 0.0);
+  });
+  return text;
 }
 
 std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
@@ -72,7 +90,7 @@ std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
                    normal(0, i), normal(1, i), force(0, i), force(1, i),
                    contacts.normal_force[i] + 0.0, contacts.shear_force[i] + 0.0,
                    contacts.overlap[i] + 0.0);
-    text += (contacts.laws.empty() ? "" : law_columns(contacts.laws, i)) + "\n";
+    text += (contacts.states.empty() ? "" : state_columns(contacts.states[k])) + "\n";
   }
   return text;
 }
@@ -94,8 +112,7 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
   blocks << head + "\n";
   contacts << "time,step,corner_block,corner,edge_block,edge,x,y,nx,ny,fx,fy,"
               "normal_force,shear_force,overlap"
-           << (results.has_laws() ? ",joint,bond,slip,dilation,plastic_closure,length\n"
-                                  : "\n");
+           << (results.has_laws() ? state_names() + "\n" : "\n");
   ResultsTracker tracker(results);
   for (const long i : frames) {
     may_stop();

@@ -1,5 +1,7 @@
 #include "post/frame_units.hpp"
 
+#include <type_traits>
+
 #include "quantities/curve.hpp"
 #include "quantities/model_quantity.hpp"
 #include "quantities/quantity.hpp"
@@ -33,15 +35,22 @@ void convert(Frame& frame, const UnitScale& scale) {
 void convert(FrameContacts& contacts, const UnitScale& scale) {
   if (scale.is_one())
     return;
-  const double force = scale.of({0, 1, -2});
+  const double force = scale.of({0, 1, -2}), stiffness = scale.of({-1, 1, -2});
+  const auto factor = [&](StateDimension dimension) {
+    return dimension == StateDimension::length      ? scale.length
+           : dimension == StateDimension::stiffness ? stiffness
+                                                    : 1.0;
+  };
   contacts.point *= scale.length;
   contacts.overlap *= scale.length;
   contacts.normal_force *= force;
   contacts.shear_force *= force;
-  FrameContacts::Laws& laws = contacts.laws;
-  for (auto* lengths :
-       {&laws.slip, &laws.dilation, &laws.plastic_closure, &laws.length})
-    *lengths *= scale.length;
+  for (JointState& state : contacts.states)
+    each_joint_field(
+        [&]<class Member>(const JointField& field, Member JointState::*member) {
+          if constexpr (std::is_same_v<Member, double>)
+            state.*member *= factor(field.dimension);
+        });
 }
 
 void convert(std::vector<Crack>& cracks, const UnitScale& scale) {

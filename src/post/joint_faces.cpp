@@ -26,10 +26,10 @@ const Outline* outline_with(const Frame& frame, int block, int corner) {
 
 std::vector<FacePart> face_parts(const Frame& frame, const FrameContacts& contacts) {
   std::vector<FacePart> parts;
-  const FrameContacts::Laws& laws = contacts.laws;
-  for (int i = 0; i < contacts.size() && !laws.empty(); ++i) {
+  for (int i = 0; i < contacts.size() && !contacts.states.empty(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (laws.law[k] == 0)
+    const JointState& state = contacts.states[k];
+    if (state.law == 0)
       continue;
     const Outline *own =
                       outline_with(frame, contacts.corner_block[k], contacts.corner[k]),
@@ -55,8 +55,8 @@ std::vector<FacePart> face_parts(const Frame& frame, const FrameContacts& contac
         continue;
       const double end = std::clamp(((*own)[next] - start).dot(along), 0.0, length);
       parts.push_back({i, start + foot * along, start + 0.5 * (foot + end) * along,
-                       quantities::bond_of(laws.bonded[k] != 0, laws.failed[k] != 0),
-                       std::abs(laws.slip[i])});
+                       quantities::bond_of(state.bonded, state.failed),
+                       std::abs(state.slip)});
     }
   }
   const auto rank = [](const FacePart& part) {

@@ -78,17 +78,14 @@ VtuGrid contact_grid(const FrameContacts& contacts) {
                     {"NormalForce", 1, numbers(contacts.normal_force)},
                     {"ShearForce", 1, numbers(contacts.shear_force)},
                     {"Overlap", 1, numbers(contacts.overlap)}};
-  if (const FrameContacts::Laws& laws = contacts.laws; !laws.empty()) {
-    for (const auto& [name, values] : {std::pair{"Law", &laws.law},
-                                       {"Bonded", &laws.bonded},
-                                       {"Failed", &laws.failed}})
-      grid.cell_data.push_back({name, 1, *values});
-    for (const auto& [name, values] : {std::pair{"Slip", &laws.slip},
-                                       {"Dilation", &laws.dilation},
-                                       {"PlasticClosure", &laws.plastic_closure},
-                                       {"Length", &laws.length}})
-      grid.cell_data.push_back({name, 1, numbers(*values)});
-  }
+  if (!contacts.states.empty())
+    each_joint_field(
+        [&]<class Member>(const JointField& field, Member JointState::*member) {
+          std::vector<ResultsType<Member>> all;
+          for (const JointState& state : contacts.states)
+            all.push_back(state.*member);
+          grid.cell_data.push_back({field.column, 1, std::move(all)});
+        });
   return grid;
 }
 

@@ -37,14 +37,8 @@ std::vector<ContactState> states_of(const FrameContacts& contacts) {
     states.push_back({contacts.corner_block[k], contacts.edge_block[k],
                       contacts.normal_force[i], contacts.shear_force[i],
                       contacts.overlap[i]});
-    const FrameContacts::Laws& laws = contacts.laws;
-    if (laws.empty() || laws.law[k] == 0)
-      continue;
-    ContactState& listed = states.back();
-    listed.joint = laws.law[k];
-    listed.bonded = laws.bonded[k] != 0, listed.failed = laws.failed[k] != 0;
-    listed.slip = laws.slip[i], listed.dilation = laws.dilation[i];
-    listed.length = laws.length[i];
+    if (!contacts.states.empty() && contacts.states[k].law != 0)
+      states.back().state = contacts.states[k];
   }
   return states;
 }

@@ -195,22 +195,22 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   rows.normal_force = vector(contact<double>("NormalForce", from, m, 1));
   rows.shear_force = vector(contact<double>("ShearForce", from, m, 1));
   rows.overlap = vector(contact<double>("Overlap", from, m, 1));
-  if (output::hdf5::exists(own.get(), last_law_column))
-    rows.laws = read_laws(from, m);
+  if (output::hdf5::exists(own.get(), last_state_column))
+    rows.states = read_states(from, m);
   expect_in_range(rows, read_corner_counts(i));
   return rows;
 }
 
-FrameContacts::Laws ResultsReader::File::read_laws(hsize_t from, hsize_t m) const {
-  FrameContacts::Laws laws;
-  laws.law = law<int>("Law", from, m);
-  laws.bonded = law<int>("Bonded", from, m);
-  laws.failed = law<int>("Failed", from, m);
-  laws.slip = vector(law<double>("Slip", from, m));
-  laws.dilation = vector(law<double>("Dilation", from, m));
-  laws.plastic_closure = vector(law<double>("PlasticClosure", from, m));
-  laws.length = vector(law<double>("Length", from, m));
-  return laws;
+std::vector<JointState> ResultsReader::File::read_states(hsize_t from,
+                                                         hsize_t m) const {
+  std::vector<JointState> all(m);
+  each_joint_field(
+      [&]<class Member>(const JointField& field, Member JointState::*member) {
+        const auto values = states<ResultsType<Member>>(field.column, from, m);
+        for (hsize_t i = 0; i < m; ++i)
+          all[i].*member = static_cast<Member>(values[i]);
+      });
+  return all;
 }
 
 std::vector<RecordedHistory> ResultsReader::File::read_recorded() const {

@@ -22,7 +22,7 @@ using output::hdf5::Failure;
 using output::hdf5::Handle;
 
 /// The column of the states of laws that a run makes last.
-inline constexpr const char* last_law_column = "contacts/Length";
+inline constexpr const char* last_state_column = "contacts/Length";
 
 /// The column of unbalanced forces.
 inline constexpr const char* unbalanced_column = "CellData/UnbalancedForce";
@@ -91,7 +91,7 @@ struct ResultsReader::File {
   /// Returns a column of the states of laws. Rows that it lacks belong to frames
   /// before the first JOINT card and are 0.
   template <class T>
-  std::vector<T> law(const char* name, hsize_t from, hsize_t n) const {
+  std::vector<T> states(const char* name, hsize_t from, hsize_t n) const {
     Column column = Column::open(own.get(), std::string("contacts/") + name);
     if (column.width() != 1)
       throw Failure(std::string("contacts/") + name + " has the wrong shape");
@@ -104,7 +104,7 @@ struct ResultsReader::File {
   void require(long i) const;
   Frame read(hsize_t i) const;
   FrameContacts read_contacts(hsize_t i) const;
-  FrameContacts::Laws read_laws(hsize_t from, hsize_t m) const;
+  std::vector<JointState> read_states(hsize_t from, hsize_t m) const;
   std::vector<RecordedHistory> read_recorded() const;
   /// Returns the number of cracks up to frame i.
   hsize_t count_cracks(hsize_t i) const;

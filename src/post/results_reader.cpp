@@ -205,7 +205,7 @@ FrameContacts ResultsReader::contacts(long i) const {
 bool ResultsReader::has_laws() const {
   return output::with_file_errors("read", file_->path, [&] {
     return file_->soundly(
-        [&] { return output::hdf5::exists(file_->own.get(), last_law_column); });
+        [&] { return output::hdf5::exists(file_->own.get(), last_state_column); });
   });
 }
 

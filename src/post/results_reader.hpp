@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "model/joint_state.hpp"
 #include "post/results_cracks.hpp"
 #include "post/units.hpp"
 
@@ -46,18 +47,11 @@ struct Frame {
 /// The m active contacts of a frame, each of a corner on an edge. Blocks, corners and
 /// edges count from 1; edge block 0 means a symmetry plane.
 struct FrameContacts {
-  /// What the laws of joints remember (docs/laws.md); all empty if the file has none.
-  struct Laws {
-    std::vector<int> law;             ///< (m) joint id; 0: STIFF and FRICTN
-    std::vector<int> bonded, failed;  ///< (m) 0 or 1
-    Eigen::VectorXd slip, dilation, plastic_closure;  ///< (m) [L]
-    Eigen::VectorXd length;  ///< (m) [L] part of the faces that a contact stands for
-    bool empty() const { return law.empty(); }
-  };
   std::vector<int> corner_block, corner, edge_block, edge;  ///< (m)
   Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward normal of the edge
   Eigen::VectorXd normal_force, shear_force, overlap;  ///< [F], [F], [L]
-  Laws laws;
+  /// (m) What the laws of joints remember (docs/laws.md); empty if the file has none.
+  std::vector<JointState> states;
   int size() const { return static_cast<int>(corner.size()); }
   /// Returns the forces on the blocks of the corners, n Fn - t Fs (16), [F], (2, m).
   /// The opposite forces act on the other blocks.

@@ -20,11 +20,11 @@ float rounded(double value) {
 }  // namespace
 
 void ViewBonds::add_frame(const FrameContacts& contacts, const ViewShapes& shapes) {
-  const FrameContacts::Laws& laws = contacts.laws;
   std::uint32_t count = 0;
-  for (int i = 0; i < contacts.size() && !laws.empty(); ++i) {
+  for (int i = 0; i < contacts.size() && !contacts.states.empty(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (laws.law[k] == 0)
+    const JointState& state = contacts.states[k];
+    if (state.law == 0)
       continue;
     const int corner =
                   shapes.corner_index(contacts.corner_block[k], contacts.corner[k]),
@@ -34,14 +34,14 @@ void ViewBonds::add_frame(const FrameContacts& contacts, const ViewShapes& shape
     ++count;
     corner_.push_back(static_cast<std::uint32_t>(corner));
     edge_.push_back(static_cast<std::uint32_t>(edge));
-    bond_.push_back(static_cast<unsigned char>(
-        quantities::bond_of(laws.bonded[k] != 0, laws.failed[k] != 0)));
-    slip_.push_back(rounded(laws.slip[i]));
-    dilation_.push_back(rounded(laws.dilation[i]));
+    bond_.push_back(
+        static_cast<unsigned char>(quantities::bond_of(state.bonded, state.failed)));
+    slip_.push_back(rounded(state.slip));
+    dilation_.push_back(rounded(state.offset));
     normal_.push_back(rounded(contacts.normal_force[i]));
     shear_.push_back(rounded(contacts.shear_force[i]));
-    length_.push_back(rounded(laws.length[i]));
-    largest_slip_ = std::max(largest_slip_, std::abs(laws.slip[i]));
+    length_.push_back(rounded(state.length));
+    largest_slip_ = std::max(largest_slip_, std::abs(state.slip));
   }
   counts_.push_back(count);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace blocks::python {
@@ -16,16 +18,6 @@ struct ContactRow {
   double point[2], normal[2], force[2];
   double normal_force, shear_force, overlap;
 };
-/// With the state of the law of the joint. The names are those of the results.
-struct LawRow {
-  std::int32_t corner_block, corner, edge_block, edge;
-  double point[2], normal[2], force[2];
-  double normal_force, shear_force, overlap;
-  std::int32_t bonded;
-  double closure, dilation;
-  std::int32_t failed, law;
-  double length, normal_stiffness, plastic_closure, shear_stiffness, slip, slip_path;
-};
 struct CrackRow {
   std::int64_t step;
   double time;
@@ -35,9 +27,8 @@ struct CrackRow {
 
 void put(double (&to)[2], const Vec2& from) { to[0] = from.x(), to[1] = from.y(); }
 
-/// Returns the row of a contact. The columns of a law are 0.
-template <class Row> Row row_of(const ContactForce& contact, const Blocks& blocks) {
-  Row row{};
+ContactRow row_of(const ContactForce& contact, const Blocks& blocks) {
+  ContactRow row{};
   const bool on_plane = contact.edge_block == 0;
   row.corner_block = contact.corner_block - 1;
   row.corner = blocks.first_corner[row.corner_block] + contact.corner - 1;
@@ -56,30 +47,38 @@ template <class Row> py::array table(const std::vector<Row>& rows) {
   return py::array_t<Row>(static_cast<py::ssize_t>(rows.size()), rows.data());
 }
 
+/// Returns the rows with the states of the laws of joints, which have the names of the
+/// results in alphabetical order. Contacts with planes come last and have no law.
+py::array with_states(const py::array& rows, const std::vector<JointState>& states) {
+  std::map<std::string, py::array> columns;
+  each_joint_field(
+      [&]<class Member>(const JointField& field, Member JointState::*member) {
+        py::array_t<ResultsType<Member>> values(rows.size());
+        std::fill_n(values.mutable_data(), values.size(), ResultsType<Member>(0));
+        for (std::size_t i = 0; i < states.size(); ++i)
+          values.mutable_data()[i] = states[i].*member;
+        columns.emplace(field.name_in_tables(), values);
+      });
+  py::list fields(rows.dtype().attr("descr"));
+  for (const auto& [name, values] : columns)
+    fields.append(py::make_tuple(name, values.dtype()));
+  const py::module_ numpy = py::module_::import("numpy");
+  py::array all = numpy.attr("empty")(rows.size(), numpy.attr("dtype")(fields, true));
+  for (const auto& name : rows.dtype().attr("names"))
+    all[name] = rows[name];
+  for (const auto& [name, values] : columns)
+    all[name.c_str()] = values;
+  return all;
+}
+
 }  // namespace
 
 py::array contact_table(const std::vector<ContactForce>& contacts, const Model& model) {
-  const Blocks& blocks = model.blocks;
-  const std::vector<JointState>& states = model.joint_states;
-  if (states.empty()) {
-    std::vector<ContactRow> rows;
-    for (const ContactForce& contact : contacts)
-      rows.push_back(row_of<ContactRow>(contact, blocks));
-    return table(rows);
-  }
-  std::vector<LawRow> rows;
-  for (const ContactForce& contact : contacts) {
-    LawRow& row = rows.emplace_back(row_of<LawRow>(contact, blocks));
-    if (rows.size() > states.size())
-      continue;  // contacts with planes come last and have no law
-    const JointState& state = states[rows.size() - 1];
-    row.law = state.law, row.bonded = state.bonded, row.failed = state.failed;
-    row.slip = state.slip, row.slip_path = state.path, row.length = state.length;
-    row.closure = state.closure, row.plastic_closure = state.plastic;
-    row.dilation = state.offset;
-    row.normal_stiffness = state.stiffness, row.shear_stiffness = state.shear_stiffness;
-  }
-  return table(rows);
+  std::vector<ContactRow> rows;
+  for (const ContactForce& contact : contacts)
+    rows.push_back(row_of(contact, model.blocks));
+  const py::array plain = table(rows);
+  return model.joint_states.empty() ? plain : with_states(plain, model.joint_states);
 }
 
 py::array contact_forces(const std::vector<ContactForce>& contacts,
@@ -122,10 +121,6 @@ py::array crack_table(const Model& model) {
 void register_tables() {
   PYBIND11_NUMPY_DTYPE(ContactRow, corner_block, corner, edge_block, edge, point,
                        normal, force, normal_force, shear_force, overlap);
-  PYBIND11_NUMPY_DTYPE(LawRow, corner_block, corner, edge_block, edge, point, normal,
-                       force, normal_force, shear_force, overlap, bonded, closure,
-                       dilation, failed, law, length, normal_stiffness, plastic_closure,
-                       shear_stiffness, slip, slip_path);
   PYBIND11_NUMPY_DTYPE(CrackRow, step, time, parent, child, cause, stress, begin, end,
                        parent_area, child_area, released);
 }

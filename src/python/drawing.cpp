@@ -56,11 +56,13 @@ post::FrameContacts contacts_of(const py::array& table,
   };
   std::tie(contacts.corner_block, contacts.corner) = place("corner_block", "corner");
   std::tie(contacts.edge_block, contacts.edge) = place("edge_block", "edge");
-  contacts.laws.law = column("law");
-  contacts.laws.bonded = column("bonded");
-  contacts.laws.failed = column("failed");
+  const Column<int> law(table["law"]), bonded(table["bonded"]), failed(table["failed"]);
   const Column<double> slip(table["slip"]);
-  contacts.laws.slip = Eigen::Map<const Eigen::VectorXd>(slip.data(), slip.size());
+  for (py::ssize_t i = 0; i < law.size(); ++i) {
+    JointState& state = contacts.states.emplace_back();
+    state.law = law.at(i), state.slip = slip.at(i);
+    state.bonded = bonded.at(i) != 0, state.failed = failed.at(i) != 0;
+  }
   return contacts;
 }
 

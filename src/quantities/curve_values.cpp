@@ -109,12 +109,12 @@ double CurveValues::of_joint(const Reader& reader, const State& now) {
   for (const ContactState& contact : now.contacts) {
     const auto [low, high] = std::minmax(contact.corner_block, contact.edge_block);
     const bool counts = curve.of == Of::joint
-                            ? contact.joint == curve.joint
+                            ? contact.state.law == curve.joint
                             : low == curve.first && high == curve.last;
     if (!counts)
       continue;
     scratch_.push_back(kind.along(contact));
-    length += contact.length;
+    length += contact.state.length;
   }
   if (kind.per_length) {
     const double sum = scratch_.empty() ? 0.0 : reduce({Statistic::How::sum}, scratch_);

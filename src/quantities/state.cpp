@@ -62,14 +62,8 @@ void list_contacts(const Model& model, std::vector<ContactState>& contacts) {
     const Contact& contact = model.contacts[i];
     contacts.push_back({number(contact.corner), number(contact.edge),
                         contact.normal_force, contact.shear_force, contact.overlap});
-    if (i >= model.joint_states.size() || model.joint_states[i].law == 0)
-      continue;
-    const JointState& state = model.joint_states[i];
-    ContactState& listed = contacts.back();
-    listed.joint = state.law;
-    listed.bonded = state.bonded, listed.failed = state.failed;
-    listed.slip = state.slip, listed.dilation = state.offset;
-    listed.length = state.length;
+    if (i < model.joint_states.size() && model.joint_states[i].law != 0)
+      contacts.back().state = model.joint_states[i];
   }
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i) {

@@ -59,11 +59,7 @@ struct ContactState {
   int corner_block = 0, edge_block = 0;
   double normal_force = 0.0, shear_force = 0.0;  ///< [F]
   double overlap = 0.0;                          ///< [L]
-  // The state of the law of a joint, as in JointState; 0 for other contacts.
-  int joint = 0;  ///< joint id
-  bool bonded = false, failed = false;
-  double slip = 0.0, dilation = 0.0;  ///< [L]
-  double length = 0.0;                ///< [L] part of the faces that it stands for
+  JointState state = {};  ///< of the law of a joint; all 0 for other contacts
 };
 
 struct State {

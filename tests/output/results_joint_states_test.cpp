@@ -11,7 +11,6 @@
 namespace blocks::output {
 namespace {
 
-using post::FrameContacts;
 using post::ResultsReader;
 using samples::TemporaryFolder;
 using ::testing::ElementsAre;
@@ -57,7 +56,7 @@ TEST(ResultsJointStates, AreAbsentWithoutLaws) {
   }
   for (const char* name : {"Law", "Bonded", "Slip", "Length"})
     EXPECT_FALSE(has(path, name)) << name;
-  EXPECT_TRUE(ResultsReader(path).contacts(0).laws.empty());
+  EXPECT_TRUE(ResultsReader(path).contacts(0).states.empty());
 }
 
 // The frame before the first JOINT card and the contacts with planes have zeros.
@@ -76,15 +75,9 @@ TEST(ResultsJointStates, AreReadBackFromTheFrameInWhichTheyBegin) {
     write_next(writer, model);
   }
   const ResultsReader results(path);
-  EXPECT_THAT(results.contacts(0).laws.law, ElementsAre(0, 0, 0));
-  const FrameContacts::Laws laws = results.contacts(1).laws;
-  EXPECT_THAT(laws.law, ElementsAre(5, 0, 0));
-  EXPECT_THAT(laws.bonded, ElementsAre(1, 0, 0));
-  EXPECT_THAT(laws.failed, ElementsAre(1, 0, 0));
-  EXPECT_EQ(laws.slip, Eigen::Vector3d(-0.5, 0, 0));
-  EXPECT_EQ(laws.dilation, Eigen::Vector3d(0.125, 0, 0));
-  EXPECT_EQ(laws.plastic_closure, Eigen::Vector3d(0.03125, 0, 0));
-  EXPECT_EQ(laws.length, Eigen::Vector3d(2, 0, 0));
+  const JointState none, with_law = with_states().joint_states[0];
+  EXPECT_THAT(results.contacts(0).states, ElementsAre(none, none, none));
+  EXPECT_THAT(results.contacts(1).states, ElementsAre(with_law, none, none));
 }
 
 TEST(ResultsJointStates, AContinuedFileIsThatOfARunThatWasNotInterrupted) {
@@ -104,11 +97,11 @@ TEST(ResultsJointStates, AContinuedFileIsThatOfARunThatWasNotInterrupted) {
     write_next(writer, model);
   }
   const ResultsReader results(path);
-  EXPECT_EQ(results.contacts(0).laws.slip, Eigen::Vector3d(-0.5, 0, 0));
-  EXPECT_EQ(results.contacts(1).laws.slip, Eigen::Vector2d(3, 0));
+  EXPECT_EQ(results.contacts(0).states[0].slip, -0.5);
+  EXPECT_EQ(results.contacts(1).states[0].slip, 3.0);
 }
 
-TEST(ResultsJointStates, LengthsAreConvertedWithTheUnits) {
+TEST(ResultsJointStates, AreConvertedWithTheUnits) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.vtkhdf";
   Model model = with_states();
@@ -119,8 +112,9 @@ TEST(ResultsJointStates, LengthsAreConvertedWithTheUnits) {
   }
   ResultsReader results(path);
   results.show_in({"mm", "kg", "s"});
-  EXPECT_EQ(results.contacts(0).laws.slip[0], -500.0);
-  EXPECT_EQ(results.contacts(0).laws.length[0], 2000.0);
+  EXPECT_EQ(results.contacts(0).states[0].slip, -500.0);
+  EXPECT_EQ(results.contacts(0).states[0].length, 2000.0);
+  EXPECT_EQ(results.contacts(0).states[0].stiffness, 1e3) << "kg/(mm s^2)";
 }
 
 TEST(ListingJointStates, DumpListsTheContactsWithALaw) {

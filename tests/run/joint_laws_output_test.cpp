@@ -55,9 +55,10 @@ TEST(JointLawOutput, IsExportedWithTheContacts) {
   run_text(folder, "a", hanging + "MOTION, 0.1\nSTOP\n");
   ASSERT_EQ(blocks("export a.vtkhdf -o a.csv", folder.path()).code, 0);
   const std::string text = slurp(folder / "a_contacts.csv");
-  EXPECT_THAT(text, HasSubstr("overlap,joint,bond,slip,dilation,plastic_closure,"
-                              "length\n"));
-  EXPECT_THAT(text, HasSubstr(",1,bonded,0,0,0,0.5\n"));
+  EXPECT_THAT(text, HasSubstr("overlap,joint,bond,normal_stiffness,shear_stiffness,"
+                              "slip,slip_path,closure,plastic_closure,dilation,"
+                              "bonded,failed,length\n"));
+  EXPECT_THAT(text, HasSubstr(",0,0,0,0,0,1,0,0.5\n"));
   ASSERT_EQ(blocks("export a.vtkhdf -o a.pvd", folder.path()).code, 0);
 }
 

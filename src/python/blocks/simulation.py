@@ -77,7 +77,7 @@ class Simulation(_blocks.Simulation):
             plane), `point` [L], `normal` (outward unit normal of the edge), `force` [F] on the block of the
             corner, `normal_force`, `shear_force` [F] and `overlap` [L]. If joints have laws (docs/laws.md),
             also `law` (joint id; 0: STIFF and FRICTN), `bonded`, `failed`, `slip`, `slip_path`, `dilation`,
-            `closure`, `plastic_closure`, `length` [L], `normal_stiffness` and `shear_stiffness` [F/L^2].
+            `closure`, `plastic_closure`, `length` [L], `normal_stiffness` and `shear_stiffness` [F/L].
             A copy.
         contact_force: (n, 2) [F] sum of the contact forces on each block in the last step. A copy.
         cracks: structured array, a row for each crack so far: `step`, `time`, `parent`, `child`, `cause`
