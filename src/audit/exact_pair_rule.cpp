@@ -157,7 +157,7 @@ std::vector<int> ExactPairRule::third_parts(int own, int other) const {
   std::vector<int> found;
   const auto add_parts_of = [&](int block) {
     for (int part = first_part_[block]; part < first_part_[block + 1]; ++part)
-      if (part != own && is_within_reach(part, other))
+      if (part != own && is_within_reach(part, own) && is_within_reach(part, other))
         found.push_back(part);
   };
   const int own_block = parts_[own].block, other_block = parts_[other].block;

@@ -19,8 +19,8 @@ namespace blocks::dynamics {
 /// The contact rule of every run. `blocks study` replaces it by other classes with the
 /// same members.
 struct ContactRules {
-  /// A decision is kept as long as it certainly holds (certain_decisions.hpp). If this
-  /// is false, every pair is decided in every step.
+  /// Decisions are kept (docs/kept-decisions.md). If this is false, every pair is
+  /// decided in every step.
   static constexpr bool keeps_decisions = true;
   /// The springs of contacts that cease to act pass to successors.
   static constexpr bool transfers_springs = true;
@@ -57,8 +57,8 @@ struct DecisionMemory {
   ContactsOfPairs kept;   ///< all contacts while the arrays are rebuilt
 };
 
-/// Decides the due pairs of a thread. A decision holds until blocks have moved by its
-/// room, or for this step alone.
+/// Decides the due pairs of a thread. A decision is kept while it certainly holds, or
+/// until its renewal, or for this step alone.
 template <class Rules>
 void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& parts,
                 const PairIndex& index, Decisions& decisions, ContactArrays& arrays,

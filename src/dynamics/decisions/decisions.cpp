@@ -103,14 +103,19 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
   renewal.depths = depths;
   renewal.poses.clear();
   const auto add = [&](int block) {
-    if (std::none_of(renewal.poses.begin(), renewal.poses.end(),
-                     [&](const KeptPose& pose) { return pose.block == block; }))
-      renewal.poses.push_back(
-          {block, blocks.centroid.col(block), blocks.gradient.col(block)});
+    renewal.poses.push_back(
+        {block, blocks.centroid.col(block), blocks.gradient.col(block)});
   };
   add(low);
-  index.neighbours.each(low, add);
-  index.neighbours.each(high, add);
+  index.neighbours.each(low, add);  // `high` is one of them
+  const std::size_t of_low = renewal.poses.size();
+  std::size_t k = 1;
+  index.neighbours.each(high, [&](int block) {
+    while (k < of_low && renewal.poses[k].block < block)
+      ++k;
+    if (block != low && (k == of_low || renewal.poses[k].block != block))
+      add(block);
+  });
   // The audit rebuilds the corners of blocks that move from these poses.
   for (const KeptPose& pose : renewal.poses)
     if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&
@@ -168,7 +173,7 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
     const double away =
         (blocks.centroid.col(kept.other_block) - blocks.centroid.col(kept.own_block))
             .norm() +
-        bounds.longest[kept.other_block];
+        bounds.stretch(blocks, kept.other_block) * bounds.longest[kept.other_block];
     const double hold = (bounds.rigid ? 1.0 : 0.25) *
                         std::min(1.0, 2.0 * bounds.longest[kept.own_block] / away);
     least = std::min(least, hold * std::min(depth - kept.least, kept.most - depth));
@@ -176,10 +181,10 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
   return least;
 }
 
-bool Decisions::postpone(const NearPair& pair, int p, double motion, double all) {
+void Decisions::postpone(const NearPair& pair, int p, double motion, double all) {
   next_examination[p] = {bounds.path_of(pair.low, pair.high) + motion / motion_per_path,
                          all};
-  return is_postponed(pair, p);
+  is_postponed(pair, p);
 }
 
 bool Decisions::is_postponed(const NearPair& pair, int p) {
@@ -197,8 +202,9 @@ bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
   const auto [low, high] = pair;
   if (renewal.empty()) {
     const Room& room = rooms[p];
-    return postpone(pair, p, room.motion - motion_since(blocks, pair, room.then),
-                    room.until);
+    const double left = room.motion - motion_since(blocks, pair, room.then);
+    postpone(pair, p, left, room.until);
+    return left > 0.0 && bounds.most < room.until;
   }
   const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
   if (!(to_limits > 0.0))

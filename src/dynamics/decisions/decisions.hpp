@@ -22,8 +22,8 @@ struct Renewal {
   void clear() { poses.clear(), depths.clear(); }
 };
 
-/// When a decision has to be examined: it certainly holds while the paths of its two
-/// blocks are together less than `own`, and MotionBounds::most is less than `all`, [L].
+/// When a decision has to be examined: not while the paths of its two blocks are
+/// together less than `own`, and MotionBounds::most is less than `all`, [L].
 struct NextExamination {
   double own = 0.0, all = 0.0;
 };
@@ -86,9 +86,8 @@ struct Decisions {
 
  private:
   /// Postpones the next examination of pair p until its motion may have grown by
-  /// `motion`, or MotionBounds::most has reached `all`, [L]. Returns whether that is
-  /// later than now.
-  bool postpone(const NearPair& pair, int p, double motion, double all);
+  /// `motion`, or MotionBounds::most has reached `all`, [L].
+  void postpone(const NearPair& pair, int p, double motion, double all);
   /// Returns whether the next examination of pair p is still to come; sets next_check.
   bool is_postponed(const NearPair& pair, int p);
 };

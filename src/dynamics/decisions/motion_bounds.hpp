@@ -58,6 +58,9 @@ struct MotionBounds {
     const double gap = (squares - twice_area) * (squares + twice_area);
     return 1.0000001 * std::sqrt(0.5 * (squares + std::sqrt(std::max(gap, 0.0))));
   }
+
+ private:
+  void find_rounding();
 };
 
 }  // namespace blocks::dynamics

@@ -53,8 +53,10 @@ void BlockParts::find_isolated_sides(const Blocks& blocks) {
 
 namespace {
 
+/// Returns the vector along a side as the block was made: the present one would make
+/// the answer depend on the step in which the parts were made.
 Vec2 along(const Blocks& blocks, const Side& side) {
-  return blocks.corner.col(side.end) - blocks.corner.col(side.start);
+  return blocks.arm.col(side.end) - blocks.arm.col(side.start);
 }
 
 }  // namespace
@@ -65,28 +67,6 @@ bool BlockParts::may_be_in_line(const Blocks& blocks, const Side& first,
   const Vec2 e = along(blocks, first), g = along(blocks, next);
   return e.dot(g) > 0.0 && std::abs(geometry::cross(e, g)) <=
                                slack * std::min(e.squaredNorm(), g.squaredNorm());
-}
-
-geometry::Outline BlockParts::outline(const Blocks& blocks, int part,
-                                      geometry::Polygon& copy) const {
-  const auto count = static_cast<std::size_t>(corners(part));
-  if (blocks.convex[block(part)])
-    return {reinterpret_cast<const Vec2*>(blocks.corner.data()) + corner(part, 0),
-            count};
-  copy.clear();
-  for (int i = 0; i < corners(part); ++i)
-    copy.push_back(blocks.corner.col(corner(part, i)));
-  return copy;
-}
-
-Side BlockParts::twin(const Side& inner) const {
-  const int b = block_[inner.part];
-  for (int part = first_part(b); part < end_part(b); ++part)
-    for (int i = 0; part != inner.part && i < corners(part); ++i)
-      if (const Side other = side(part, i);
-          other.start == inner.end && other.end == inner.start)
-        return other;
-  return inner;
 }
 
 }  // namespace blocks::dynamics

@@ -55,13 +55,6 @@ class BlockParts {
   bool is_isolated(int part, int index) const {
     return is_isolated_[first_corner_[part] + index];
   }
-  /// Returns the corners of a part. If the block is convex, they are read from the
-  /// block's own columns, otherwise from `copy`.
-  geometry::Outline outline(const Blocks& blocks, int part,
-                            geometry::Polygon& copy) const;
-  /// Returns the same inner side as a side of the part beside it. Every inner side has
-  /// such a twin (geometry::convex_parts).
-  Side twin(const Side& inner) const;
 
  private:
   void find_isolated_sides(const Blocks& blocks);

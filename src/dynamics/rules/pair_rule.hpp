@@ -2,9 +2,9 @@
 // (docs/contact-rule.md). A closed joint is not there: of the axes of two parts whose
 // side is surface of all blocks together, the one of least depth acts. The result
 // depends only on the two blocks and on the blocks whose bounding boxes meet the grown
-// one of one of the two. All predicates are exact. The rule is independent of the contact list
-// and of the time loop. It is a template over the predicates, so that `blocks study`
-// can replace them.
+// one of one of the two. All predicates are exact. The rule is independent of the
+// contact list and of the time loop. It is a template over the predicates, so that
+// `blocks study` can replace them.
 #pragma once
 
 #include <algorithm>

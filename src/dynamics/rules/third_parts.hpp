@@ -36,15 +36,17 @@ void each_third_part(const Blocks& blocks, const BlockParts& parts,
 /// The third parts of one part of a pair. The memory is reused.
 class ThirdParts {
  public:
-  /// Collects the third parts of `own` whose boxes meet the grown one of `other`, so
-  /// the result does not depend on how far the list of pairs reaches.
+  /// Collects the third parts of `own` whose boxes meet the grown ones of both, so the
+  /// result does not depend on how far the list of pairs reaches.
   template <class Neighbours>
   void collect(const Blocks& blocks, const BlockParts& parts,
                const Neighbours& neighbours, int own, int other) {
     count_ = 0;
-    const PartBox of_other = PartBox(blocks, parts, other).grown(geometry::third_reach);
+    const PartBox of_own = PartBox(blocks, parts, own).grown(geometry::third_reach),
+                  of_other = PartBox(blocks, parts, other).grown(geometry::third_reach);
     each_third_part(blocks, parts, neighbours, own, other, [&](int part) {
-      if (!PartBox(blocks, parts, part).meets(of_other))
+      const PartBox box(blocks, parts, part);
+      if (!box.meets(of_own) || !box.meets(of_other))
         return;
       if (outlines_.size() == count_)
         outlines_.emplace_back(), part_.emplace_back();

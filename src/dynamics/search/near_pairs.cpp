@@ -60,8 +60,10 @@ void find_boxes(const Blocks& blocks, double reach, NearSearch& memory) {
       const Vec2 corner = blocks.corner.col(c);
       lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
     }
-    // Third parts are found at a distance, which depends on the present extents. A
-    // corner that is outside an edge by less than the slack still touches it.
+    // Third parts are found at a distance, which depends on the present extents. Until
+    // the next search, rotation makes their sum at most sqrt(2) times as large; the
+    // rest of 1.5 is for strain. A corner that is outside an edge by less than the
+    // slack still touches it.
     constexpr double part_of_extents =
         1.5 * geometry::third_reach + 2.0 * geometry::contact_slack;
     const double by = reach + part_of_extents * (upper - lower).sum();

@@ -13,8 +13,6 @@ namespace blocks::dynamics {
 struct NearPair {
   int low = 0, high = 0;
   auto operator<=>(const NearPair& other) const = default;
-  /// Returns the other block of the pair.
-  int other(int block) const { return low == block ? high : low; }
 };
 
 /// Working memory of the search. It is kept between searches so that they need not
@@ -25,9 +23,9 @@ struct NearSearch {
   Groups cells;  ///< the blocks in each cell of a grid
 };
 
-/// Finds all pairs whose bounding boxes meet when each box is grown by `reach`, [L],
-/// by the slack of its edges and by the reach of third parts. The pairs are sorted by low, then by high. No other
-/// two blocks can touch before a corner has moved by `reach`.
+/// Finds all pairs whose bounding boxes meet when each box is grown by `reach`, [L], by
+/// the slack of its edges and by the reach of third parts. The pairs are sorted by low,
+/// then by high. No other two blocks can touch before a corner has moved by `reach`.
 void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
                      std::vector<NearPair>& pairs);
 
