@@ -281,7 +281,7 @@ const std::map<std::string_view, Builder>& builders() {
       {"CYCLE", [](F f, V, D) -> Maybe { return Cycle{f[0].as_int()}; }},
       {"SOLVE",
        [](F f, V, D) -> Maybe {
-         return Solve{f[0].as_real(), f[1].as_int()};
+         return Solve{f[0].as_real(), f[1].as_int(), f[2].as_real()};
        }},
       {"STOP", [](F, V, D) -> Maybe { return Stop{}; }},
   };

@@ -3,6 +3,7 @@
 // defines defaults and ranges.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -247,6 +248,14 @@ struct Cycle {
 struct Solve {  // not in the report
   Real ratio;
   Int nmax;
+  Real local = {};  ///< `given` is false if the ratio tells; see local_ratio()
+
+  /// Returns the local ratio that is wanted: `local`, or 100 times `ratio`, but at most
+  /// .01, if that is blank.
+  double local_ratio() const {
+    constexpr double times_ratio = 100.0, at_most = 0.01;
+    return local.given ? local.value : std::min(times_ratio * ratio.value, at_most);
+  }
 
   /// Steps between two tests of the ratio. Each test reads the model, which takes
   /// longer than a step; a longer interval makes more steps than needed.

@@ -79,12 +79,15 @@ std::vector<CardSpec> rest_cards() {
        .fields = {{"ratio", real, "1.D-5", ratio, "[-]",
                    "sum of the unbalanced forces over that of all forces"},
                   {"nmax", integer, "100000", two_tests, "[-]",
-                   "largest number of time steps"}},
+                   "largest number of time steps"},
+                  {"local", real, "", positive, "[-]",
+                   "largest local ratio; blank: 100 times the ratio, at most .01"}},
        .notes =
-           "The ratio is tested every 10 steps. The card ends when two successive "
-           "tests find at most the one given. If nmax steps do not reach it, there "
-           "is a warning, and the deck continues. Needs damping: DAMPING, LOCDAMP "
-           "or KINDAMP.",
+           "The local ratio is that of one block: its unbalanced force over the sum "
+           "of the sizes of all forces on it. Both ratios are tested every 10 steps. "
+           "The card ends when two successive tests find at most those given. If "
+           "nmax steps do not reach them, there is a warning, and the deck continues. "
+           "Needs damping: DAMPING, LOCDAMP or KINDAMP.",
        .example = "SOLVE, 1.D-5, 20000"},
   };
 }

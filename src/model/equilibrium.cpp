@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/drives.hpp"
+#include "model/load_sizes.hpp"
 
 namespace blocks {
 double time_of_forces(const Model& model) {
@@ -15,22 +16,8 @@ namespace {
 
 /// Returns the norm of the forces of the loads, [F].
 double sum_of_loads(const Model& model, double time) {
-  const Loads& loads = model.loads;
-  const Blocks& blocks = model.blocks;
   double sum = 0.0;
-  for (const Pressure& pressure : loads.pressures) {
-    const int c = blocks.first_corner[pressure.block] + pressure.side;
-    const double length =
-        (blocks.corner.col(blocks.next[c]) - blocks.corner.col(c)).norm();
-    sum += std::abs(loads.function.factor(time, pressure.arrival)) * length *
-           (std::abs(pressure.p1) + std::abs(pressure.p2)) / 2.0;
-  }
-  for (const CentroidForce& load : loads.forces)
-    sum += std::abs(loads.function.factor(time, load.arrival)) * load.force.norm();
-  for (const Servo& servo : model.servos)
-    sum += std::abs(servo.target) * side_of(blocks, servo).length;
-  for (const QuietSide& quiet : loads.quiet_sides)
-    sum += quiet.first.norm() + quiet.second.norm();
+  each_load(model, time, [&](int, double size) { sum += size; });
   return sum;
 }
 

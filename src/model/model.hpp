@@ -7,9 +7,9 @@
 
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
-#include "model/kept_decisions.hpp"
 #include "model/cracks.hpp"
 #include "model/energy.hpp"
+#include "model/kept_decisions.hpp"
 #include "model/loads.hpp"
 #include "model/settings.hpp"
 
@@ -107,6 +107,10 @@ struct SolveRecord {
   /// [F] largest unbalanced force at the end, and its block; -1: all are balanced
   double largest = 0.0;
   int block = -1;
+  double wanted_local = 0.0;  ///< local ratio of the card
+  double reached_local =
+      0.0;               ///< the largest one after the last step (local_ratio.hpp)
+  int local_block = -1;  ///< its block; -1: all are in equilibrium
 };
 
 /// The state of a run.

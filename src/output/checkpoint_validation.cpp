@@ -317,9 +317,11 @@ void expect_records(const Model& model) {
   for (const SolveRecord& solve : model.solves) {
     for (const double value :
          {static_cast<double>(solve.line), solve.wanted, solve.reached,
-          static_cast<double>(solve.steps), solve.time, solve.largest})
+          static_cast<double>(solve.steps), solve.time, solve.largest,
+          solve.wanted_local, solve.reached_local})
       expect("solves", value, not_negative);
-    expect_index("solves/block", solve.block + 1, model.blocks.size() + 1);
+    for (const int block : {solve.block, solve.local_block})
+      expect_index("solves/block", block + 1, model.blocks.size() + 1);
   }
   for (const JointLengthRecord& length : model.joint_lengths)
     for (const double value :

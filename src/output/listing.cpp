@@ -121,11 +121,15 @@ void Listing::closing(const Model& model) {
   for (const DomainExit& exit : model.exits)
     out_ << fmt::format("    block {} at time {:.9g}\n", exit.block + 1, exit.time);
   if (!model.solves.empty()) {
-    out_ << heading("SOLVE (ratio of the unbalanced forces)") << over_whole("line")
-         << over_number("wanted") << over_number("reached") << over_whole("steps")
-         << over_number("time") << "    converged\n";
+    out_ << heading("SOLVE (ratio of the unbalanced forces, largest local ratio)")
+         << over_whole("line") << over_number("wanted") << over_number("reached")
+         << over_number("local wanted") << over_number("reached")
+         << over_whole("of block") << over_whole("steps") << over_number("time")
+         << "    converged\n";
     for (const SolveRecord& solve : model.solves)
       out_ << whole(solve.line) << number(solve.wanted) << number(solve.reached)
+           << number(solve.wanted_local) << number(solve.reached_local)
+           << (solve.local_block < 0 ? over_whole("-") : whole(solve.local_block + 1))
            << whole(solve.steps) << number(solve.time) << "    "
            << (solve.converged ? "yes" : "no") << "\n";
   }

@@ -399,7 +399,8 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   visit_energy(energy, ar);
   visit_kept(kept, ar);
   ar.records("solves", solves, [](auto& column, auto& solve) {
-    auto& [line, wanted, reached, step_count, end, converged, largest, at] = solve;
+    auto& [line, wanted, reached, step_count, end, converged, largest, at, wanted_local,
+           reached_local, local_block] = solve;
     column("line", line);
     column("wanted", wanted);
     column("reached", reached);
@@ -408,6 +409,9 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("converged", converged);
     column("largest", largest);
     column("block", at);
+    column("wanted_local", wanted_local);
+    column("reached_local", reached_local);
+    column("local_block", local_block);
   });
   visit_cracks(cracks, crack_refusals, ar);
   ar("last_kinetic_energy", last_kinetic_energy);

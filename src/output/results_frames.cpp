@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/equilibrium.hpp"
+#include "model/local_ratio.hpp"
 
 namespace blocks::output {
 namespace {
@@ -33,6 +34,7 @@ constexpr CellField frame_fields[] = {{"Time", false, 0},
                                       {"WorstOverlap", false, 0}};
 // Only in the results of decks that ask for equilibrium.
 constexpr CellField unbalanced_force = {"UnbalancedForce", false, 0};
+constexpr CellField local_ratio = {"LocalRatio", false, 0};
 constexpr CellField unbalanced_share = {"UnbalancedRatio", false, 0};
 
 /// VTK requires three components, so z = 0.
@@ -91,8 +93,10 @@ ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t block
     *column = make(to.steps, name, whole, 0, frames_per_chunk);
   std::vector<CellField> of_cells(std::begin(cell_fields), std::end(cell_fields));
   std::vector<CellField> of_frames(std::begin(frame_fields), std::end(frame_fields));
-  if (unbalanced)
-    of_cells.push_back(unbalanced_force), of_frames.push_back(unbalanced_share);
+  if (unbalanced) {
+    of_cells.insert(of_cells.end(), {unbalanced_force, local_ratio});
+    of_frames.push_back(unbalanced_share);
+  }
   for (const CellField& field : of_cells) {
     const std::string name = field.name;
     const hid_t type = field.whole ? H5T_NATIVE_INT : real;
@@ -275,10 +279,13 @@ void ResultsFrames::put_unbalanced(long frame, const Model& model) {
   const auto column = cells_.find(unbalanced_force.name);
   if (column == cells_.end())
     return;
-  Eigen::VectorXd forces;
-  unbalanced_forces(model, forces);
-  column->second.put(frame, static_cast<hsize_t>(forces.size()),
-                     as_stored(forces.data()));
+  Eigen::VectorXd values;
+  unbalanced_forces(model, values);
+  column->second.put(frame, static_cast<hsize_t>(values.size()),
+                     as_stored(values.data()));
+  local_ratios(model, values);
+  cells_.at(local_ratio.name)
+      .put(frame, static_cast<hsize_t>(values.size()), as_stored(values.data()));
   const double ratio = unbalanced_ratio(model);
   frame_data_.at(unbalanced_share.name).put(static_cast<hsize_t>(frame), &ratio, 1);
 }

@@ -35,7 +35,7 @@ struct ResultsCells {
 class ResultsFrames {
  public:
   /// Creates the datasets, with chunks for a model of this size. `unbalanced` adds the
-  /// unbalanced forces and their ratio.
+  /// unbalanced forces, their ratio and the local ratios.
   static std::unique_ptr<ResultsFrames> create(const ResultsGroups& groups,
                                                const Model& model, bool unbalanced);
   /// Opens the datasets of a file that has frames. Throws hdf5::Failure if one is

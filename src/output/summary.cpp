@@ -239,6 +239,9 @@ Json solves(const Model& model) {
          {"converged", solve.converged},
          {"steps", solve.steps},
          {"time", solve.time},
+         {"local", solve.wanted_local},
+         {"reached_local", solve.reached_local},
+         {"local_block", solve.local_block < 0 ? Json() : Json(solve.local_block + 1)},
          {"largest_unbalanced", solve.block < 0 ? Json()
                                                 : Json{{"block", solve.block + 1},
                                                        {"force", solve.largest}}}});

@@ -24,6 +24,18 @@ std::size_t present(const Frame& frame) {
   return static_cast<std::size_t>(frame.count_present());
 }
 
+/// Returns the largest local ratio and its block; empty if they are not known or 0.
+std::string local_text(const Frame& now) {
+  double most = 0.0;
+  int block = 0;
+  for (int b = 0; b < now.local_ratio.size(); ++b)
+    if (now.local_ratio[b] > most)
+      most = now.local_ratio[b], block = now.number[static_cast<std::size_t>(b)];
+  return block > 0
+             ? fmt::format("    largest local ratio {:.2g} in block {}", most, block)
+             : "";
+}
+
 /// Returns the ratio of the unbalanced forces and the block with the largest one, if
 /// the figure shows them.
 std::string equilibrium_text(const Frame& now, const FigureOptions& options) {
@@ -36,7 +48,9 @@ std::string equilibrium_text(const Frame& now, const FigureOptions& options) {
     if (now.unbalanced[b] > most)  // false for removed blocks, which have no value
       most = now.unbalanced[b], block = now.number[static_cast<std::size_t>(b)];
   std::string text = fmt::format("    ratio {:.2g}", now.unbalanced_ratio);
-  return block > 0 ? text + fmt::format(", largest in block {}", block) : text;
+  if (block > 0)
+    text += fmt::format(", largest in block {}", block);
+  return text + local_text(now);
 }
 
 /// Returns the number of cracks, unless there are none.

@@ -27,7 +27,8 @@ BlockStates states_of(const Frame& f) {
           f.material,
           nullptr,
           &f.fixed,
-          f.unbalanced.size() > 0 ? &f.unbalanced : nullptr};
+          f.unbalanced.size() > 0 ? &f.unbalanced : nullptr,
+          f.local_ratio.size() > 0 ? &f.local_ratio : nullptr};
 }
 
 std::vector<ContactState> states_of(const FrameContacts& contacts) {
@@ -62,8 +63,8 @@ Eigen::VectorXd values_of(const QuantityKind& kind, const Frame& now,
 namespace {
 
 Zero zero_of(const QuantityKind& kind) {
-  static const std::set<std::string> magnitudes = {"speed", "displacement",
-                                                   "unbalanced", "kinetic_energy"};
+  static const std::set<std::string> magnitudes = {
+      "speed", "displacement", "unbalanced", "local_ratio", "kinetic_energy"};
   return kind.is_signed                   ? Zero::middle
          : magnitudes.contains(kind.name) ? Zero::lowest
                                           : Zero::none;

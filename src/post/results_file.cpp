@@ -38,8 +38,9 @@ void hide_removed(Frame& frame) {
     for (auto* values : {&frame.angle, &frame.spin, &frame.moment, &frame.area,
                          &frame.mass, &frame.inertia})
       (*values)[b] = std::nan("");
-    if (frame.unbalanced.size() > 0)
-      frame.unbalanced[b] = std::nan("");
+    for (auto* values : {&frame.unbalanced, &frame.local_ratio})
+      if (values->size() > 0)
+        (*values)[b] = std::nan("");
     for (auto* tensor : {&frame.stress, &frame.applied, &frame.strain_rate})
       tensor->col(b).setConstant(std::nan(""));
   }
@@ -172,6 +173,8 @@ Frame ResultsReader::File::read(hsize_t i) const {
     frame.unbalanced = vector(cells<double>("UnbalancedForce", i, n, 1));
     frame.unbalanced_ratio = field<double>("UnbalancedRatio", i);
   }
+  if (output::hdf5::exists(vtk.get(), local_ratio_column))
+    frame.local_ratio = vector(cells<double>("LocalRatio", i, n, 1));
   read_outlines(i, part, n, frame);
   hide_removed(frame);
   return frame;

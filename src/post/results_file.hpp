@@ -26,6 +26,8 @@ inline constexpr const char* last_state_column = "contacts/Length";
 
 /// The column of unbalanced forces.
 inline constexpr const char* unbalanced_column = "CellData/UnbalancedForce";
+/// The column of local ratios, which older results do not have.
+inline constexpr const char* local_ratio_column = "CellData/LocalRatio";
 
 /// The column of the number of cracks of each frame.
 inline constexpr const char* crack_counts = "cracks/counts";

@@ -38,6 +38,7 @@ struct Frame {
   bool compression_positive = false;              ///< sign of stress and applied
   Eigen::VectorXd unbalanced;  ///< [F] empty if the file has no unbalanced forces
   double unbalanced_ratio = std::numeric_limits<double>::quiet_NaN();  ///< or NaN
+  Eigen::VectorXd local_ratio;  ///< empty like `unbalanced`
   int size() const { return static_cast<int>(number.size()); }
   bool is_removed(int b) const { return fixed[static_cast<std::size_t>(b)] == 3; }
   /// Returns the number of blocks that are not removed.

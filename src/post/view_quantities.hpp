@@ -11,12 +11,29 @@ namespace blocks::post {
 
 /// The quantities that the page shows, in this order. It shows the unbalanced forces
 /// only if the results have them.
-inline constexpr std::array view_quantities = {
-    "displacement", "dx",      "dy",     "speed",      "vx",
-    "vy",           "x",       "y",      "rotation",   "spin",
-    "fx",           "fy",      "moment", "s11",        "s22",
-    "s12",          "p1",      "p2",     "unbalanced", "kinetic_energy",
-    "overlap",      "contacts"};
+inline constexpr std::array view_quantities = {"displacement",
+                                               "dx",
+                                               "dy",
+                                               "speed",
+                                               "vx",
+                                               "vy",
+                                               "x",
+                                               "y",
+                                               "rotation",
+                                               "spin",
+                                               "fx",
+                                               "fy",
+                                               "moment",
+                                               "s11",
+                                               "s22",
+                                               "s12",
+                                               "p1",
+                                               "p2",
+                                               "unbalanced",
+                                               "local_ratio",
+                                               "kinetic_energy",
+                                               "overlap",
+                                               "contacts"};
 
 /// Returns the names of those that results with or without unbalanced forces have.
 inline std::vector<std::string> names_of_quantities(bool unbalanced) {

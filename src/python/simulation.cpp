@@ -78,7 +78,8 @@ void bind_simulation(py::module_& module) {
     py::list solves;
     for (const SolveRecord& solve : self.model().solves)
       solves.append(py::make_tuple(solve.steps, solve.reached, solve.converged,
-                                   solve.wanted, solve.time));
+                                   solve.wanted, solve.time, solve.reached_local,
+                                   solve.wanted_local, solve.local_block));
     return solves;
   });
   value("unbalanced_ratio",

@@ -156,18 +156,23 @@ bool is_energy(std::string name) {
   return name + ':' == energy_prefix;
 }
 
+/// Returns the quantity of the model with this name, a colon included.
+Curve named(const std::string& text) {
+  Curve curve;
+  for (const char c : text)
+    curve.quantity += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return curve;
+}
+
 /// Reads "energy:NAME", which names a quantity of the model.
 Curve parse_energy(const std::string& text) {
-  Curve curve;
   if (const OtherKind* kind = find_other(text); kind == nullptr) {
     std::string names;
     for (const EnergyQuantity& one : energy_quantities())
       names += (names.empty() ? "" : ", ") + (energy_prefix + one.name);
     throw CurveFault("the energy account has no entry '" + text + "'", names);
   }
-  for (const char c : text)
-    curve.quantity += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return curve;
+  return named(text);
 }
 
 }  // namespace
@@ -177,6 +182,8 @@ Curve parse_curve(const std::string& text) {
   const std::string name = text.substr(0, colon);
   if (is_energy(name))
     return parse_energy(text);
+  if (colon != std::string::npos && find_other(text) != nullptr)
+    return named(text);  // unbalanced:local
   const QuantityKind* kind = find_quantity(name);
   const OtherKind* other = find_other(name);
   if (!kind && !other) {

@@ -25,6 +25,16 @@ void OtherKind::of_contacts(std::span<const ContactState> contacts,
 
 namespace {
 
+/// Returns the largest local ratio of a block; NaN if they are not known.
+double largest_local_ratio(const State& now) {
+  if (now.blocks.local_ratio == nullptr)
+    return std::numeric_limits<double>::quiet_NaN();
+  double largest = 0.0;
+  for (const double ratio : *now.blocks.local_ratio)
+    largest = std::max(largest, ratio);  // a removed block of a frame has NaN
+  return largest;
+}
+
 std::map<std::string, OtherKind> all_other_kinds() {
   using How = Statistic::How;
   constexpr Dimension force{0, 1, -2, "N/m", ""}, length{1, 0, 0, "m", ""},
@@ -148,6 +158,8 @@ std::map<std::string, OtherKind> all_other_kinds() {
         How::sum,
         {},
         [](const State& now) { return now.unbalanced_ratio; }}},
+      {largest_local_name,
+       {"largest local ratio", pure, How::sum, {}, largest_local_ratio}},
       {"time",
        {"time", duration, How::sum, {}, [](const State& now) { return now.time; }}}};
   // The account is on request only; see energy.hpp.

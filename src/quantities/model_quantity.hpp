@@ -41,7 +41,7 @@ struct OtherKind {
 
 /// All of them by name: contacts, normal_force, overlap, shear_force; bonded, failed,
 /// slip, dilation, joint_length, normal_stress, shear_stress; blocks, cracks, step,
-/// time, unbalanced_ratio;
+/// time, unbalanced_ratio, unbalanced:local;
 /// energy:kinetic and the other entries of the energy account.
 const std::map<std::string, OtherKind>& other_kinds();
 

@@ -15,7 +15,7 @@ double principal(const Eigen::Vector4d& tensor, double sign) {
 
 namespace {
 
-constexpr Dimension length{1, 0, 0, "m", ""}, area{2, 0, 0, "m²", ""},
+constexpr Dimension pure{}, length{1, 0, 0, "m", ""}, area{2, 0, 0, "m²", ""},
     velocity{1, 0, -1, "m/s", ""}, degrees{0, 0, 0, "degrees", "degrees"},
     spin{0, 0, -1, "rad/s", "rad"}, force{0, 1, -2, "N/m", ""},
     moment{1, 1, -2, "N m/m", ""}, stress{-1, 1, -2, "Pa", ""},
@@ -120,6 +120,11 @@ const std::vector<QuantityKind>& quantity_kinds() {
          return now.unbalanced == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                           : (*now.unbalanced)[b];
        })},
+      {"local_ratio", "", "local ratio", pure, magnitude, each,
+       of_now([](const B& now, int b) {
+         return now.local_ratio == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                           : (*now.local_ratio)[b];
+       })},
       {"kinetic_energy", "", "kinetic energy", energy, magnitude, additive,
        of_now(kinetic_energy)},
       {"momentum_x", "", "momentum x", momentum, is_signed, additive,
@@ -162,7 +167,11 @@ std::string quantity_names() {
 }
 
 bool is_of_equilibrium(const std::string& name) {
-  return name == "unbalanced" || name == ratio_name;
+  return name == "unbalanced" || name == ratio_name || is_of_local_ratio(name);
+}
+
+bool is_of_local_ratio(const std::string& name) {
+  return name == "local_ratio" || name == largest_local_name;
 }
 
 bool is_stress(const QuantityKind& kind) {

@@ -40,9 +40,15 @@ std::string quantity_names();
 /// The quantity of the model that tells how far it is from equilibrium.
 inline constexpr const char* ratio_name = "unbalanced_ratio";
 
-/// True for the unbalanced force of a block and for their ratio, which results have
-/// only if the deck asks for equilibrium (docs/rest.md#the-ratio). Takes a name.
+/// The largest local ratio of a block: what SOLVE tests beside the ratio.
+inline constexpr const char* largest_local_name = "unbalanced:local";
+
+/// True for the unbalanced force of a block, its local ratio, the largest of these and
+/// the ratio of the model. Results have them only if the deck asks for equilibrium
+/// (docs/rest.md#the-ratio). Takes a name.
 bool is_of_equilibrium(const std::string& name);
+/// True for the local ratio of a block and for the largest one.
+bool is_of_local_ratio(const std::string& name);
 
 /// True for the stresses that the material law gives, and the applied ones.
 bool is_stress(const QuantityKind& kind);

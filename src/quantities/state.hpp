@@ -46,6 +46,8 @@ struct BlockStates : Positions {
   const std::vector<int>* fixed = nullptr;
   /// [F] (n) unbalanced forces (model/equilibrium.hpp); null if they are not known.
   const Eigen::VectorXd* unbalanced = nullptr;
+  /// (n) local ratios (model/local_ratio.hpp); null if they are not known.
+  const Eigen::VectorXd* local_ratio = nullptr;
 
   int size() const { return static_cast<int>(material.size()); }
   bool is_removed(int b) const;

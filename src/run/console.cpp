@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "model/equilibrium.hpp"
+#include "model/local_ratio.hpp"
 
 namespace blocks::run {
 namespace {
@@ -27,6 +27,13 @@ int terminal_width() {
   return known ? size.ws_col : usual;
 }
 
+/// Returns the columns of the ratios.
+std::string ratios_of(const Model& model) {
+  const Balance balance = balance_of(model);
+  return fmt::format(" {:>9.2e} {:>9.2e} {:>8}", balance.ratio, balance.local,
+                     balance.block < 0 ? "-" : fmt::format("{}", balance.block + 1));
+}
+
 }  // namespace
 
 Console::Console(bool table, bool quiet, std::chrono::seconds between_log_lines)
@@ -41,13 +48,14 @@ void Console::row(const Model& model) {
   if (!header_shown_)
     say(stdout, "{:>10} {:>12} {:>12} {:>14} {:>14} {:>9} {:>9}{}\n", "step", "time",
         "dt", "kinetic energy", "worst overlap", "contacts", "searches",
-        ratio_shown_ ? fmt::format(" {:>9}", "ratio") : "");
+        ratio_shown_ ? fmt::format(" {:>9} {:>9} {:>8}", "ratio", "local", "of block")
+                     : "");
   header_shown_ = true;
   const ModelTotals sum = totals(model);
   say(stdout, "{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}{}\n",
       model.steps, model.time, model.time_step.dt, sum.kinetic_energy,
       sum.worst_overlap, sum.active_contacts, model.search.updates,
-      ratio_shown_ ? fmt::format(" {:>9.2e}", unbalanced_ratio(model)) : "");
+      ratio_shown_ ? ratios_of(model) : "");
   std::fflush(stdout);
 }
 
@@ -71,12 +79,12 @@ bool Console::progress_due() const {
          Clock::now() - drawn_ >= (terminal_ ? between_drawings : between_log_lines_);
 }
 
-void Console::progress(const Model& model, double share, double ratio) {
+void Console::progress(const Model& model, double share, const Balance& balance) {
   drawn_ = Clock::now();
   const RunProgress run{
       share,         std::chrono::duration<double>(drawn_ - start_).count(),
       model.steps,   model.time,
-      totals(model), ratio};
+      totals(model), balance};
   if (terminal_) {
     // A line that fills the last column would be wrapped by some terminals.
     say(stderr, "\r\033[K{}", progress_line(run, terminal_width() - 1));

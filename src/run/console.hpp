@@ -22,7 +22,8 @@ class Console {
           std::chrono::seconds between_log_lines = std::chrono::minutes(1));
 
   void row(const Model& model);
-  /// Adds the ratio of the unbalanced forces to the rows. Call it before the first one.
+  /// Adds the ratio of the unbalanced forces, the largest local ratio and its block to
+  /// the rows. Call it before the first one.
   void show_ratio() { ratio_shown_ = true; }
   void warn(const std::string& message);
   /// From now on, warnings are not printed, but given to this function.
@@ -33,10 +34,9 @@ class Console {
   /// Whether the progress line is due. A terminal gets it at most ten times a second.
   bool progress_due() const;
   /// Draws the progress line, which fits the present width of the terminal. `share` is
-  /// the completed share of the whole run, 0 to 1. `ratio` is that of the unbalanced
-  /// forces during SOLVE.
-  void progress(const Model& model, double share, double ratio = no_ratio);
-  static constexpr double no_ratio = RunProgress::no_ratio;
+  /// the completed share of the whole run, 0 to 1. `balance` has the ratios during
+  /// SOLVE.
+  void progress(const Model& model, double share, const Balance& balance = {});
   void clear_progress();
 
  private:

@@ -11,8 +11,20 @@
 namespace blocks::run {
 
 Convergence::Convergence(const deck::Solve& card, long made, bool was_below)
-    : wanted_(card.ratio.value), most_(card.nmax.value), made_(made),
-      below_(was_below) {}
+    : wanted_(card.ratio.value), wanted_local_(card.local_ratio()),
+      most_(card.nmax.value), made_(made), below_(was_below) {}
+
+namespace {
+
+/// Returns the part of the way from the first ratio to the wanted one that is done, on
+/// a logarithmic scale, at most 1.
+double part_done(double first, double now, double wanted) {
+  if (now <= wanted)
+    return 1.0;
+  return first > wanted ? std::log(first / now) / std::log(first / wanted) : 0.0;
+}
+
+}  // namespace
 
 bool Convergence::is_due() const {
   const long next = made_ + 1;
@@ -26,52 +38,73 @@ void Convergence::after_step(const Model& model) {
   share_ = std::max(share_, static_cast<double>(made_) / static_cast<double>(most_));
   if (!tested)
     return;
-  ratio_ = unbalanced_ratio(model);
-  const bool is_below = ratio_ <= wanted_ && !loads_will_change(model);
+  now_ = balance_of(model);
+  const bool is_below =
+      now_.ratio <= wanted_ && now_.local <= wanted_local_ && !loads_will_change(model);
   // Two tests that are too near each other may both see a block that passes F = 0.
   balanced_ = below_ && is_below && made_ % deck::Solve::test_interval == 0;
   below_ = is_below;
-  if (const double decade = std::floor(std::log10(ratio_)); decade < decade_)
+  if (const double decade = std::floor(std::log10(now_.ratio)); decade < decade_)
     decade_ = decade, new_decade_ = true;
-  if (first_ratio_ == 0.0)
-    first_ratio_ = ratio_;
-  if (first_ratio_ > wanted_ && ratio_ > wanted_)
-    share_ = std::max(share_, std::log(first_ratio_ / ratio_) /
-                                  std::log(first_ratio_ / wanted_));
-  else if (ratio_ <= wanted_)
-    share_ = 1.0;
+  if (std::isnan(first_.ratio))
+    first_ = now_;
+  share_ =
+      std::max(share_, std::min(part_done(first_.ratio, now_.ratio, wanted_),
+                                part_done(first_.local, now_.local, wanted_local_)));
 }
 
 SolveRecord Convergence::record(const Model& model, int line) const {
   SolveRecord solve;
   solve.line = line;
   solve.wanted = wanted_;
-  solve.reached = ratio_;
+  solve.reached = now_.ratio;
   solve.steps = made_;
   solve.time = model.time;
   solve.converged = balanced_;
   for (int b = 0; b < model.blocks.size(); ++b)
     if (const double force = unbalanced_force(model, b); force > solve.largest)
       solve.largest = force, solve.block = b;
+  solve.wanted_local = wanted_local_;
+  solve.reached_local = now_.local;
+  solve.local_block = now_.block;
   return solve;
 }
 
 std::string solve_line(const SolveRecord& solve) {
-  return fmt::format("SOLVE in line {}: ratio {:.2g} after {}", solve.line,
-                     solve.reached, counted(solve.steps, "step"));
+  const std::string worst =
+      solve.local_block < 0 ? "" : fmt::format(" (block {})", solve.local_block + 1);
+  return fmt::format("SOLVE in line {}: ratio {:.2g}, local ratio {:.2g}{} after {}",
+                     solve.line, solve.reached, solve.reached_local, worst,
+                     counted(solve.steps, "step"));
 }
+
+namespace {
+
+/// Tells which local ratio is too large; empty if none is.
+std::string local_text(const SolveRecord& solve) {
+  if (solve.local_block < 0 || solve.reached_local <= solve.wanted_local)
+    return "";
+  return fmt::format("the largest local ratio, {:.2g}, wanted {:.2g}, is that of block "
+                     "{} (blocks plot --colour local_ratio)",
+                     solve.reached_local, solve.wanted_local, solve.local_block + 1);
+}
+
+}  // namespace
 
 std::string solve_warning(const SolveRecord& solve, const Settings& settings) {
   std::string text = fmt::format(
       "SOLVE in line {} has not converged: ratio {:.2g} after {}, wanted {:.2g}",
       solve.line, solve.reached, counted(solve.steps, "step"), solve.wanted);
-  if (solve.reached <= solve.wanted)
+  const std::string local = local_text(solve);
+  if (solve.reached <= solve.wanted && local.empty())
     return text + " in two successive tests after gravity and loads have reached their "
                   "last values: give more steps";
-  if (solve.block >= 0)
+  if (solve.block >= 0 && solve.reached > solve.wanted)
     text += fmt::format("; the largest unbalanced force, {:.3g}, is that of block {} "
                         "(blocks plot --colour unbalanced)",
                         solve.largest, solve.block + 1);
+  if (!local.empty())
+    text += "; " + local;
   const bool damped = settings.damping > 0.0 || is_damped_to_rest(settings);
   return text + (damped
                      ? ": give more steps, or look for blocks that cannot come to rest"

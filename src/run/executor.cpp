@@ -246,7 +246,7 @@ Outcome Executor::march(long steps) {
     if (moment || (read && interrupt_requested())) {
       if (console_.progress_due())
         console_.progress(stepper_.up_to_date(), share_after(i, last),
-                          solving_ ? solving_->ratio() : Console::no_ratio);
+                          solving_ ? solving_->balance() : Balance{});
       if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
         tell_what_remains();
         return outcome;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/equilibrium.hpp"
+#include "model/local_ratio.hpp"
 #include "run/history_card.hpp"
 
 namespace blocks::run {
@@ -112,6 +113,10 @@ void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
     unbalanced_forces(model, unbalanced_);
     blocks.unbalanced = &unbalanced_;
     ratio = unbalanced_ratio(model);
+  }
+  if (values_of_.has_local_ratios()) {
+    local_ratios(model, local_ratios_);
+    blocks.local_ratio = &local_ratios_;
   }
   const quantities::Positions first{first_.centroid,
                                     quantities::Corners(first_.outlines)};

@@ -44,8 +44,9 @@ class HistoryRecorder {
   output::FirstPositions first_;
   int first_blocks_ = 0;  ///< blocks of the first frame
   std::vector<quantities::ContactState> contacts_;
-  Eigen::VectorXd unbalanced_;  ///< [F] (blocks) in the state that is read
-  long next_ = 0;               ///< index of the next multiple
+  Eigen::VectorXd unbalanced_;    ///< [F] (blocks) in the state that is read
+  Eigen::VectorXd local_ratios_;  ///< (blocks) in that state
+  long next_ = 0;                 ///< index of the next multiple
   /// [T] samples are due from this time on; infinite if there is no HISTORY card.
   double due_ = std::numeric_limits<double>::infinity();
   double time_before_ = 0.0;  ///< [T] of the state recorded last

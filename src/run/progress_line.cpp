@@ -15,6 +15,14 @@ std::string remaining(const RunProgress& run) {
                          : std::string();
 }
 
+/// Returns "local ratio 0.0e+00" and the block that has it; empty if it is not known.
+std::string local_text(const Balance& balance) {
+  if (std::isnan(balance.local))
+    return "";
+  const std::string text = fmt::format("local ratio {:.1e}", balance.local);
+  return balance.block < 0 ? text : text + fmt::format(" block {}", balance.block + 1);
+}
+
 /// A part of the line. A part of higher rank is left out first.
 struct Part {
   std::string text;
@@ -35,12 +43,14 @@ std::string duration(double seconds) {
 std::string progress_line(const RunProgress& run, int width) {
   constexpr int widest_bar = 24, narrowest_bar = 10, brackets = 2;
   std::vector<Part> parts = {
-      {fmt::format(" step {}", run.steps), 2},
-      {fmt::format(" t {:.4g}", run.time), 1},
-      {fmt::format(" Ek {:.3g}", run.totals.kinetic_energy), 4},
-      {fmt::format(" contacts {}", run.totals.active_contacts), 3}};
-  if (!std::isnan(run.ratio))
-    parts.insert(parts.begin(), {fmt::format(" ratio {:.1e}", run.ratio), 0});
+      {fmt::format(" step {}", run.steps), 3},
+      {fmt::format(" t {:.4g}", run.time), 2},
+      {fmt::format(" Ek {:.3g}", run.totals.kinetic_energy), 5},
+      {fmt::format(" contacts {}", run.totals.active_contacts), 4}};
+  if (const std::string local = local_text(run.balance); !local.empty())
+    parts.insert(parts.begin(), {' ' + local, 1});
+  if (!std::isnan(run.balance.ratio))
+    parts.insert(parts.begin(), {fmt::format(" ratio {:.1e}", run.balance.ratio), 0});
   if (const std::string left = remaining(run); !left.empty())
     parts.push_back({' ' + left, -1});
   const auto room = [&] {  // for the bar
@@ -63,8 +73,11 @@ std::string progress_line(const RunProgress& run, int width) {
 
 std::string log_line(const RunProgress& run) {
   const std::string left = remaining(run);
-  const std::string ratio =
-      std::isnan(run.ratio) ? "" : fmt::format("ratio {:.1e}, ", run.ratio);
+  std::string ratio;
+  if (!std::isnan(run.balance.ratio))
+    ratio = fmt::format("ratio {:.1e}, ", run.balance.ratio);
+  if (const std::string local = local_text(run.balance); !local.empty())
+    ratio += local + ", ";
   return fmt::format("progress {:.0f} %: {}step {}, t {:.4g}, Ek {:.3g}, contacts {}{}",
                      100.0 * run.share, ratio, run.steps, run.time,
                      run.totals.kinetic_energy, run.totals.active_contacts,

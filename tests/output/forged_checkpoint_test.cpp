@@ -46,7 +46,7 @@ Model full_model() {
   model.exits = {{0, 0.004}};
   model.merges = {{1, 2, 3, 0.125, 0.2}};
   model.layers = {{1, 0, 2, 2, 1, 6, 0, 0, 0}};
-  model.solves = {{12, 1e-5, 2e-5, 100, 0.5, false, 3.0, 1}};
+  model.solves = {{12, 1e-5, 2e-5, 100, 0.5, false, 3.0, 1, 1e-3, 0.5, 1}};
   model.settings.crack_rules[3] = {1e6, 0.25, 5e5, 7};
   model.settings.materials[3].damping = 0.125;
   model.cracks = {samples::crack_of_block_2()};

@@ -67,14 +67,15 @@ TEST(Summary, TellsWhetherAllSolveCardsHaveConverged) {
   };
   EXPECT_FALSE(written({}).contains("converged"));
   EXPECT_EQ(written(false)["converged"], false);  // stopped before its end
-  model.solves = {{12, 1e-5, 8e-6, 100, 0.5, true, 0.0, -1}};
+  model.solves = {{12, 1e-5, 8e-6, 100, 0.5, true, 0.0, -1, 1e-3, 0.0, -1}};
   EXPECT_EQ(written(true)["converged"], true);
   EXPECT_EQ(written(false)["converged"], false);
   EXPECT_EQ(written({})["converged"], true);  // a deck that continues this run
-  model.solves.push_back({14, 1e-5, 2e-5, 200, 1.5, false, 3.0, 1});
+  model.solves.push_back({14, 1e-5, 2e-5, 200, 1.5, false, 3.0, 1, 1e-3, 0.5, 1});
   const json summary = written(true);
   EXPECT_EQ(summary["converged"], false);
   EXPECT_EQ(summary["solves"][0]["largest_unbalanced"], nullptr);
+  EXPECT_EQ(summary["solves"][0]["local_block"], nullptr);
   EXPECT_EQ(summary["solves"][1],
             json({{"line", 14},
                   {"ratio", 1e-5},
@@ -82,6 +83,9 @@ TEST(Summary, TellsWhetherAllSolveCardsHaveConverged) {
                   {"converged", false},
                   {"steps", 200},
                   {"time", 1.5},
+                  {"local", 1e-3},
+                  {"reached_local", 0.5},
+                  {"local_block", 2},
                   {"largest_unbalanced", {{"block", 2}, {"force", 3.0}}}}));
 }
 

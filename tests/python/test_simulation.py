@@ -324,13 +324,16 @@ def test_solve_tells_how_it_ended(fall):
     sim = blocks.Simulation(fall + "LOCDAMP, 0.8\n")
     before = sim.steps
     short = sim.solve(1e-9, nmax=30)
-    assert short == (30, sim.unbalanced_ratio, False, 1e-9, sim.time)
+    assert short == (30, sim.unbalanced_ratio, False, 1e-9, sim.time, short.local, 1e-7, short.block)
+    assert short.local > 0 and sim.is_free[short.block]
     assert sim.solutions == [short] and sim.warnings
     well = sim.solve(1e-3)
     assert well.converged and well.ratio <= 1e-3 == well.wanted
-    assert sim.steps == before + 30 + well.steps
+    assert well.local <= 0.01 == well.wanted_local
+    assert sim.solve(1e-3, local=1.0).wanted_local == 1.0
+    assert sim.steps == before + 30 + well.steps + sim.solutions[-1].steps
     sim.cards("SOLVE, 1.D-3, 50")
-    assert len(sim.solutions) == 3
+    assert len(sim.solutions) == 4
     with pytest.raises(blocks.DeckError):
         sim.solve(-1)
     with pytest.raises(TypeError):

@@ -136,10 +136,10 @@ TEST(Convergence, EstimatesItsShareFromTheLogarithmAndNeverGoesBack) {
 
 TEST(ProgressLine, HasTheRatioDuringSolve) {
   run::RunProgress at{0.5, 60.0, 1000, 0.5, {}};
-  at.ratio = 3.21e-4;
+  at.balance.ratio = 3.21e-4;
   EXPECT_THAT(run::progress_line(at, 80), HasSubstr(" ratio 3.2e-04 "));
   EXPECT_THAT(run::log_line(at), HasSubstr("progress 50 %: ratio 3.2e-04, step 1000"));
-  at.ratio = run::RunProgress::no_ratio;
+  at.balance = {};
   EXPECT_THAT(run::log_line(at), Not(HasSubstr("ratio")));
 }
 

@@ -247,6 +247,13 @@ class Frame:
             raise AttributeError("the file has no unbalanced forces: the deck does not ask for equilibrium")
         return self["UnbalancedForce"]
 
+    @property
+    def local_ratio(self) -> _Floats:
+        """(n,) unbalanced force over all forces on the block. Raises AttributeError like `unbalanced`."""
+        if "LocalRatio" not in self:
+            raise AttributeError("the file has no local ratios: the deck does not ask for equilibrium")
+        return self["LocalRatio"]
+
     # What the blocks are
 
     @property
@@ -348,7 +355,7 @@ class Frame:
         Args:
             name: a quantity of `blocks plot --colour`: speed, displacement, rotation (degrees), x, y, dx, dy,
                 vx, vy, spin, fx, fy, moment, s11 to s22, p1 and p2 (stress), a11 to a22 (applied stress), e11
-                to e22 (strain rate), unbalanced, mass, area, inertia. Attributes with one number for each
+                to e22 (strain rate), unbalanced, local_ratio, mass, area, inertia. Attributes with one number for each
                 block are accepted too: "fixed".
 
         Raises:

@@ -76,6 +76,7 @@ QUANTITIES: dict[str, Kind] = {
     "p1": Kind("principal stress 1" + _TENSION, dim.STRESS, "middle", "stress", lambda s: _blocks._principal(s, 1.0)),
     "p2": Kind("principal stress 2" + _TENSION, dim.STRESS, "middle", "stress", lambda s: _blocks._principal(s, -1.0)),
     "unbalanced": Kind("unbalanced force", dim.FORCE, "lowest", "unbalanced"),
+    "local_ratio": Kind("local ratio", dim.NONE, "lowest", "local_ratio"),
     "mass": Kind("mass", dim.MASS, "none", "mass"),
     "area": Kind("area", dim.AREA, "none", "area"),
     "inertia": Kind("moment of inertia", dim.INERTIA, "none", "inertia"),
@@ -119,6 +120,7 @@ CURVES: dict[str, Kind] = {
     "blocks": Kind("blocks"),
     "cracks": Kind("cracks"),
     "unbalanced_ratio": Kind("ratio of the unbalanced forces"),
+    "unbalanced:local": Kind("largest local ratio"),
 }
 
 #: Labels of the quantities "energy:...".
@@ -151,7 +153,7 @@ def kind_of_curve(name: str) -> Kind:
     quantity, _, place = name.partition(":")
     if quantity == "energy" and place in ENERGIES:
         return Kind(ENERGIES[place], dim.ENERGY)
-    return QUANTITIES.get(quantity) or CURVES.get(quantity) or Kind(quantity)
+    return CURVES.get(name) or QUANTITIES.get(quantity) or CURVES.get(quantity) or Kind(quantity)
 
 
 def kind_of(name: str) -> Kind:
@@ -183,6 +185,7 @@ def quantity(state: Any, name: str) -> _Floats:
 def quantity_names(state: Any) -> tuple[str, ...]:
     """Returns the names of QUANTITIES that a state has."""
     attributes = set(dir(state))  # because the values of some attributes take long
-    if not hasattr(state, "unbalanced"):  # frames have it only if the deck asks for equilibrium
-        attributes.discard("unbalanced")
+    for name in ("unbalanced", "local_ratio"):
+        if not hasattr(state, name):  # frames have it only if the deck asks for equilibrium
+            attributes.discard(name)
     return tuple(name for name, kind in QUANTITIES.items() if kind.attribute in attributes)

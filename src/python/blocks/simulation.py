@@ -23,9 +23,12 @@ class Solution(NamedTuple):
 
     steps: int  #: made by it
     ratio: float  #: of the unbalanced forces at the end
-    converged: bool  #: whether two successive tests found at most the ratio that was wanted
+    converged: bool  #: whether two successive tests found at most the ratios that were wanted
     wanted: float  #: ratio
     time: float  #: [T] at the end
+    local: float  #: largest local ratio of a block at the end
+    wanted_local: float  #: local ratio
+    block: int  #: that has the largest local ratio, from 0; -1: none
 
 
 class Simulation(_blocks.Simulation):
@@ -132,18 +135,20 @@ class Simulation(_blocks.Simulation):
             raise ValueError(f"the time {time:g} has passed: it is {self.time:g}")
         self.step(count, read, every=every, callback=callback)
 
-    def solve(self, ratio: float = 1e-5, nmax: int = 100_000) -> Solution:
+    def solve(self, ratio: float = 1e-5, nmax: int = 100_000, local: float | None = None) -> Solution:
         """Makes steps until the forces are balanced (SOLVE). Needs damping.
 
         Args:
             ratio: unbalanced forces over all forces, at which two successive tests end it.
             nmax: largest number of steps.
+            local: largest local ratio of a block; None: 100 times the ratio, at most .01.
 
         Raises:
-            DeckError: if the ratio or the number is not possible, or there are no blocks.
+            DeckError: if a ratio or the number is not possible, or there are no blocks.
             UnsoundRun: if a step made the state unusable.
         """
-        self.cards.solve(float(ratio), whole(nmax, "nmax", 1))
+        given = () if local is None else (float(local),)
+        self.cards.solve(float(ratio), whole(nmax, "nmax", 1), *given)
         return self.solutions[-1]
 
     @property
