@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "model/drives.hpp"
 #include "run/rectangle.hpp"
 
@@ -17,7 +19,7 @@ Model three_blocks() {
   model.settings.rigid = true;
   model.settings.gravity = {0.0, -1.0};
   for (const double x : {0.0, 5.0, 10.0})
-    model.blocks.append(rectangle(x, 0, 2, 2));
+    model.blocks.append({rectangle(x, 0, 2, 2)});
   model.blocks.force.setZero();
   model.blocks.moment.setZero();
   return model;
@@ -48,7 +50,7 @@ TEST(LocalRatio, CountsAllForcesWithTheirDashpots) {
   model.contacts = {{0, 4, 1.0, 0.0, 3.0, 0.0, 0.1}};  // blocks 1 and 2
   model.blocks.force.col(0) = Vec2(2, 3);
   model.blocks.force.col(1) = Vec2(0, -3);
-  model.loads.forces = {{0, {2, 0}, 0.0}};
+  model.loads.forces = {{0, {2, 0}, TimeFunction::always}};
   const Eigen::VectorXd ratios = ratios_of(model);
   EXPECT_NEAR(ratios[0], std::sqrt(5.0) / 9, 1e-15);
   EXPECT_NEAR(ratios[1], 7.0 / 7, 1e-15);  // the contact pushes it downwards
@@ -69,7 +71,8 @@ TEST(LocalRatio, IgnoresForcesThatAreRounding) {
   Model model = three_blocks();
   model.settings.gravity = {0, 0};
   EXPECT_EQ(ratios_of(model), Eigen::Vector3d::Zero());
-  model.loads.forces = {{0, {1.0, 0}, 0.0}, {1, {1e-10, 0}, 0.0}};
+  model.loads.forces = {{0, {1.0, 0}, TimeFunction::always},
+                        {1, {1e-10, 0}, TimeFunction::always}};
   model.blocks.force.col(0) = Vec2(1.0, 0);
   model.blocks.force.col(1) = Vec2(1e-10, 0);
   EXPECT_EQ(ratios_of(model), Eigen::Vector3d(1, 0, 0));

@@ -8,6 +8,7 @@
 #include "post/results_reader.hpp"
 #include "run/convergence.hpp"
 #include "run/program.hpp"
+#include "run/progress_line.hpp"
 
 namespace blocks::testing {
 namespace {
@@ -16,14 +17,14 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const std::string cards = "GRAVITY, 0, -9.81\nFRICTN, 0.5\nLOCDAMP, .8\n";
-const std::string floor = preliminary() + rectangle(-5, -1, 5, 0, true);
+const std::string on_floor = preliminary() + rectangle(-5, -1, 5, 0, true);
 
 /// Block 2 rests on the floor; block 3 is 1000 times lighter and falls far from it.
 const std::string pebble =
-    floor + rectangle(-4, 0, 1, 2) + rectangle(7, 0, 7.1, 0.1) + cards;
+    on_floor + rectangle(-4, 0, 1, 2) + rectangle(7, 0, 7.1, 0.1) + cards;
 /// The same with equal blocks, whose steps are at multiples of 0.0004.
 const std::string bricks =
-    floor + rectangle(-4, 0, -3, 1) + rectangle(7, 0, 8, 1) + cards;
+    on_floor + rectangle(-4, 0, -3, 1) + rectangle(7, 0, 8, 1) + cards;
 
 TEST(LocalRatio, IsAHundredTimesTheRatioUnlessGiven) {
   deck::Solve card{{1e-5, {}}, {100, {}}};
