@@ -160,7 +160,7 @@ struct Row {
     decisions.reset(2);
   }
   void keep(const std::vector<KeptDepth>& depths) {
-    decisions.keep_exact(model.blocks, parts, index, 0, depths);
+    decisions.keep_exact(model.blocks, parts, index, 0, depths, true);
   }
   bool holds() {
     decisions.bounds.grow(1e-2);

@@ -78,7 +78,8 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
       arrays.assign(blocks, index, p, is_kept ? scratch.candidates : scratch.found,
                     is_kept, thread.changes);
       if (is_kept)
-        decisions.keep_exact(blocks, parts, index, p, scratch.depths);
+        decisions.keep_exact(blocks, parts, index, p, scratch.depths,
+                             scratch.asked_of_third);
       else
         decisions.expire(p);
     }

@@ -96,7 +96,7 @@ void Decisions::keep_certain(const Blocks& blocks, const NearPair& pair, int p,
 
 void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
                            const PairIndex& index, int p,
-                           const std::vector<KeptDepth>& depths) {
+                           const std::vector<KeptDepth>& depths, bool asked_of_third) {
   const auto [low, high] = index.pairs[p];
   rooms[p] = {};
   Renewal& renewal = renewals[p];
@@ -106,16 +106,8 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
     renewal.poses.push_back(
         {block, blocks.centroid.col(block), blocks.gradient.col(block)});
   };
-  add(low);
-  index.neighbours.each(low, add);  // `high` is one of them
-  const std::size_t of_low = renewal.poses.size();
-  std::size_t k = 1;
-  index.neighbours.each(high, [&](int block) {
-    while (k < of_low && renewal.poses[k].block < block)
-      ++k;
-    if (block != low && (k == of_low || renewal.poses[k].block != block))
-      add(block);
-  });
+  add(low), add(high);
+  index.each_beside(index.pairs[p], asked_of_third, add);
   // The audit rebuilds the corners of blocks that move from these poses.
   for (const KeptPose& pose : renewal.poses)
     if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&

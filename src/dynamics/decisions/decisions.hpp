@@ -62,9 +62,10 @@ struct Decisions {
                     double growth);
   /// Keeps the decision of pair p, made now by the exact rule, until one of the depths
   /// leaves its limits, or its blocks and their neighbours have moved against each
-  /// other by a part of an arm.
+  /// other by a part of an arm. The neighbours are the blocks near both or, if
+  /// `asked_of_third` (PairScratch), near one of the two.
   void keep_exact(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
-                  int p, const std::vector<KeptDepth>& depths);
+                  int p, const std::vector<KeptDepth>& depths, bool asked_of_third);
 
   /// Returns whether the decision of pair p still holds. Examines it only if it may
   /// have expired since the last time.

@@ -46,6 +46,9 @@ struct PairScratch {
   /// Whether the decision may be kept. If not, it is for this step alone.
   bool may_be_kept = false;
   std::vector<KeptDepth> depths;  ///< It may be kept while these are in their limits.
+  /// Whether the rule was also applied to a third part with one of the two. The
+  /// decision may then depend on blocks that are near one of the two only.
+  bool asked_of_third = false;
   std::unique_ptr<PairScratch> of_third;  ///< for a third part with one of the two
 
   /// Adds a contact unless it is there already.
@@ -108,6 +111,7 @@ template <class Predicates, class Neighbours> class PairRule {
     scratch_.candidates.clear();
     scratch_.depths.clear();
     scratch_.may_be_kept = true;
+    scratch_.asked_of_third = false;
   }
   /// What the search for the acting axis of two parts finds.
   enum class Search { apart, axis, no_axis };
@@ -199,6 +203,7 @@ template <class Predicates, class Neighbours> class PairRule {
     const Search search = rule.find_axis(in_order ? p : q, in_order ? q : p);
     const bool answer = question(rule, search);
     scratch_.may_be_kept = scratch_.may_be_kept && scratch_.of_third->may_be_kept;
+    scratch_.asked_of_third = true;
     return answer;
   }
 

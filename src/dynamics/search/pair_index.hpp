@@ -22,6 +22,24 @@ struct PairIndex {
         add(pair.low, pair.high), add(pair.high, pair.low);
     });
   }
+  /// Calls visit(block) for each other block that is paired with both blocks of a pair
+  /// or, if `with_one`, with at least one of them, in ascending order.
+  template <class Visit>
+  void each_beside(const NearPair& pair, bool with_one, const Visit& visit) const {
+    const auto list = [&](int block) {
+      return neighbours.item.begin() + neighbours.first[block];
+    };
+    auto low = list(pair.low), high = list(pair.high);
+    const auto end_low = list(pair.low + 1), end_high = list(pair.high + 1);
+    while (low != end_low || high != end_high) {
+      const bool of_low = high == end_high || (low != end_low && *low <= *high),
+                 of_high = low == end_low || (high != end_high && *high <= *low);
+      const int block = of_low ? *low : *high;
+      if ((with_one || (of_low && of_high)) && block != pair.low && block != pair.high)
+        visit(block);
+      low += of_low, high += of_high;
+    }
+  }
 };
 
 /// Calls a visitor for each neighbour of a block, in the form that the contact rule
