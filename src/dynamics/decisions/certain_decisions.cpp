@@ -13,8 +13,8 @@ namespace {
 /// part and the reach of a contact point (docs/kept-decisions.md#third-parts).
 constexpr double growth_per_room = 0.15;
 
-/// [L] The growth if there is no third part. It is finite, because a new neighbour may be
-/// one.
+/// [L] The growth if there is no third part. It is finite, because a new neighbour may
+/// be one.
 constexpr double growth_alone = 0x1p1000;
 
 /// Adds the kernel's answer about two parts to the decision of their blocks.
