@@ -58,7 +58,7 @@ TEST(JointLawOutput, IsExportedWithTheContacts) {
   EXPECT_THAT(text, HasSubstr("overlap,joint,bond,normal_stiffness,shear_stiffness,"
                               "slip,slip_path,closure,plastic_closure,dilation,"
                               "bonded,failed,length\n"));
-  EXPECT_THAT(text, HasSubstr(",0,0,0,0,0,1,0,0.5\n"));
+  EXPECT_THAT(text, HasSubstr(",1,bonded,10000000,10000000,0,0,0,0,0,1,0,0.5\n"));
   ASSERT_EQ(blocks("export a.vtkhdf -o a.pvd", folder.path()).code, 0);
 }
 
