@@ -682,6 +682,28 @@ def test_other_hdf5_files(tmp_path, files):
             read(path)
 
 
+@pytest.mark.parametrize(
+    ("name", "damage", "words"),
+    [
+        ("Offsets", lambda old: old[:0], "wrong shape"),
+        ("Offsets", lambda old: old[..., None], "wrong shape"),
+        ("Offsets", lambda old: old[::-1], "out of range"),
+        ("Offsets", lambda old: old.astype(float), "wrong shape or type"),
+        ("Connectivity", lambda old: old - 1, "out of range"),
+        ("Connectivity", lambda old: old + len(old), "out of range"),
+        ("Points", lambda old: old[:1], "wrong shape"),
+    ],
+)
+def test_damaged_outlines(tmp_path, files, name, damage, words):
+    path = shutil.copy(files["stack"], tmp_path / "damaged.vtkhdf")
+    with h5py.File(path, "r+") as file:
+        old = file["VTKHDF"][name][()]
+        del file["VTKHDF"][name]
+        file["VTKHDF"][name] = damage(old)
+    with read(path) as results, pytest.raises(FileError, match=f"{name} .*{words}"):
+        results[0].to_geojson()
+
+
 def make_external(file, path, place):
     old = file[path]
     shape, dtype = old.shape, old.dtype

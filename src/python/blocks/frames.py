@@ -132,6 +132,18 @@ class Frame:
             if offsets is not None and offsets.shape[0] > i:
                 first = int(offsets[i])
                 joint = vtk["PointData/Joint"][first : first + points]
+            for name, values, shape, kinds in (
+                ("Points", corners, (points, 2), "f"),
+                ("Offsets", starts, (blocks + 1,), "iu"),
+                ("Connectivity", order, (ids,), "iu"),
+                ("PointData/Joint", joint, (points,), "iu"),
+            ):
+                if values.shape != shape or values.dtype.kind not in kinds:
+                    raise ValueError(f"{name} has the wrong shape or type")
+            if starts[0] != 0 or starts[-1] != ids or (np.diff(starts) < 0).any():
+                raise ValueError("Offsets is out of range")
+            if ((order < 0) | (order >= points)).any():
+                raise ValueError("Connectivity is out of range")
             return corners[order], starts, joint[order]
 
         corners, starts, joint = self.results._file.read(action)
