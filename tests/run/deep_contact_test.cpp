@@ -39,10 +39,11 @@ TEST(DeepContact, MayBeTwiceAsDeepAsTheOverlap) {
   EXPECT_FALSE(find_deep_contact(phantom(0.334)));
 }
 
-// A third block overlaps the second square by half of the depth.
-TEST(DeepContact, MayBeExplainedByAThirdBlock) {
-  EXPECT_TRUE(find_deep_contact(phantom(0.01, {rectangle(1.5, 0.0, 1.0, 1.47)})));
-  EXPECT_FALSE(find_deep_contact(phantom(0.01, {rectangle(1.49, 0.0, 1.0, 1.8)})));
+// A third block beside the first square overlaps the second one by half of the depth.
+TEST(DeepContact, MayBeExplainedByAThirdBlockNearBoth) {
+  EXPECT_TRUE(find_deep_contact(phantom(0.01, {rectangle(1.01, 0.0, 1.0, 1.47)})));
+  EXPECT_FALSE(find_deep_contact(phantom(0.01, {rectangle(1.01, 0.0, 1.0, 1.8)})));
+  EXPECT_TRUE(find_deep_contact(phantom(0.01, {rectangle(1.49, 0.0, 1.0, 1.8)})));
 }
 
 TEST(DeepContact, IsNotOneThatALawHolds) {

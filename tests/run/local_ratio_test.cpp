@@ -37,7 +37,7 @@ TEST(LocalRatio, IsAHundredTimesTheRatioUnlessGiven) {
 
 TEST(LocalRatio, KeepsSolveFromEndingWhileOneBlockFalls) {
   const TemporaryFolder folder;
-  const Outcome run = run_text(folder, "a", pebble + "SOLVE, 3.E-3, 8000\nSTOP\n");
+  const Outcome run = run_text(folder, "a", pebble + "SOLVE, 3.E-3, 20000\nSTOP\n");
   const auto solve = summary(folder, "a")["solves"][0];
   EXPECT_LE(solve["reached"], 3e-3);
   EXPECT_FALSE(solve["converged"]);
