@@ -117,7 +117,34 @@ std::optional<Selection> selection(const Fields& f, const char* card,
   return out;
 }
 
-Plots plots(const Fields& f, const Values& values) {
+/// Reads PLOTS, , n: a frame every n steps.
+Maybe plots_in_steps(const Fields& f, const Values& values, Diagnostics& diagnostics) {
+  const char* hint = "PLOTS, dtplot sets an interval of time; PLOTS, , n a number of "
+                     "steps";
+  if (values.repeated.size() != 1) {
+    const bool none = values.repeated.empty();
+    diagnostics.error(none ? f[0].where : values.repeated[1].where, "PLOTS",
+                      none ? "missing dtplot" : "without dtplot, one value too many",
+                      hint);
+    return {};
+  }
+  const Value& value = values.repeated.front();
+  const double n = value.number.value();
+  constexpr double most = 9007199254740991.0;  // as for other whole numbers
+  if (n != std::floor(n) || n > most) {
+    diagnostics.error(value.where, "PLOTS",
+                      fmt::format("without dtplot, the number of steps must be whole, "
+                                  "found {:g}",
+                                  n),
+                      hint);
+    return {};
+  }
+  return Plots{f[0].as_real(), {}, {static_cast<long>(n), value.where, true}};
+}
+
+Maybe plots(const Fields& f, const Values& values, Diagnostics& diagnostics) {
+  if (!f[0].given)
+    return plots_in_steps(f, values, diagnostics);
   Plots card{f[0].as_real(), {}};
   for (const Value& value : values.repeated) {
     card.times.push_back(value.as_real());
@@ -251,6 +278,7 @@ const std::map<std::string_view, Builder>& builders() {
        }},
       {"LOCDAMP", [](F f, V, D) -> Maybe { return Locdamp{f[0].as_real()}; }},
       {"KINDAMP", [](F f, V, D) -> Maybe { return Kindamp{f[0].as_int()}; }},
+      {"MSCALE", [](F f, V, D) -> Maybe { return Mscale{f[0].as_int()}; }},
       {"INSITU",
        [](F f, V, D) -> Maybe {
          return Insitu{f[0].as_real(), f[1].as_real(), f[2].as_real(),
@@ -275,7 +303,7 @@ const std::map<std::string_view, Builder>& builders() {
        }},
       {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
       {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
-      {"PLOTS", [](F f, V v, D) -> Maybe { return plots(f, v); }},
+      {"PLOTS", [](F f, V v, D d) -> Maybe { return plots(f, v, d); }},
       {"HISTORY", [](F f, V v, D) -> Maybe { return history(f, v); }},
       {"MOTION", [](F f, V, D) -> Maybe { return Motion{f[0].as_real()}; }},
       {"CYCLE", [](F f, V, D) -> Maybe { return Cycle{f[0].as_int()}; }},
@@ -283,6 +311,7 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Solve{f[0].as_real(), f[1].as_int(), f[2].as_real()};
        }},
+      {"SAVE", [](F f, V, D) -> Maybe { return Save{f[0].as_word()}; }},
       {"STOP", [](F, V, D) -> Maybe { return Stop{}; }},
   };
   return table;

@@ -93,7 +93,8 @@ std::vector<CardSpec> preliminary_cards() {
            "A block with n contacts and DAMPING b is stable up to a FRACTION of "
            "(sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). LOCDAMP alpha multiplies n "
            "by 1 + alpha. A warning is given above this value for n = 8, and an error "
-           "above three times the value if several blocks are free. If tfrac is blank or the card is absent, the "
+           "above three times the value if several blocks are free. If tfrac is blank "
+           "or the card is absent, the "
            "program takes this value for n = 8, and again when DAMPING or LOCDAMP "
            "changes it.",
        .example = "FRACTION, .05"});
@@ -175,8 +176,8 @@ std::vector<CardSpec> preliminary_cards() {
        .section = "A.1.11",
        .summary = "first card of a restart: continue an earlier run",
        .fields = {{"file", word, "", any, "",
-                   "checkpoint to continue (not in the report); blank: NAME.ckpt.h5 of "
-                   "this run"}},
+                   "checkpoint to continue, or its name on a SAVE card (not in the "
+                   "report); blank: NAME.ckpt.h5 of this run"}},
        .notes = "Must be the first card and is the only preliminary card of a restart. "
                 "Quote a file name that contains blanks or commas.",
        .example = "RESTART, crater.ckpt.h5"});

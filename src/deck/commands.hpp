@@ -204,6 +204,9 @@ struct Locdamp {
 struct Kindamp {
   Int on;
 };
+struct Mscale {
+  Int on;
+};
 struct Insitu {
   Real sxx, syy, sxy, dxx, dyy, dxy;
 };
@@ -232,8 +235,9 @@ struct Output {
   std::vector<Int> blocks;
 };
 struct Plots {
-  Real dtplot;
+  Real dtplot;              ///< `given` is false if `steps` is
   std::vector<Real> times;  ///< not in the report
+  Int steps = {};           ///< between frames, if `given`; not in the report
 };
 struct History {
   Real dthist;
@@ -263,6 +267,9 @@ struct Solve {  // not in the report
   /// The least nmax: equilibrium needs two successive tests.
   static constexpr long fewest_steps = 2 * test_interval;
 };
+struct Save {
+  Word name;
+};  ///< not in the report
 struct Stop {};
 
 using Card =
@@ -270,8 +277,8 @@ using Card =
                  Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Cut, Orient,
                  Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn,
                  SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair, Bond, Drive,
-                 Locdamp, Kindamp, Insitu, Servo, Quiet, Crack, Mdamp, Dump, Output,
-                 Plots, History, Motion, Cycle, Solve, Stop>;
+                 Locdamp, Kindamp, Mscale, Insitu, Servo, Quiet, Crack, Mdamp, Dump,
+                 Output, Plots, History, Motion, Cycle, Solve, Save, Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword

@@ -290,25 +290,28 @@ void add_run_cards(std::vector<CardSpec>& cards) {
                 "the end is always printed. --set OUTPUT.nb=1,5 replaces all numbers.",
        .example = "OUTPUT, .1, 1, 5, 9",
        .continue_below = std::numeric_limits<std::size_t>::max()});
-  cards.push_back({.name = "PLOTS",
-                   .section = "A.2.18",
-                   .summary = "results for plotting at intervals of time",
-                   .fields = {{"dtplot", real, {}, positive, "[T]", "interval"},
-                              {"t",
-                               real,
-                               "",
-                               positive,
-                               "[T]",
-                               "further times with a frame, any number of them (not in "
-                               "the report)",
-                               {},
-                               true}},
-                   .notes =
-                       "A frame is the state after the step whose time is nearest. "
-                       "The state at the start and at the end is always written. "
-                       "The card may continue on further lines.",
-                   .example = "PLOTS, .01, .0025, .0075",
-                   .continue_below = std::numeric_limits<std::size_t>::max()});
+  cards.push_back(
+      {.name = "PLOTS",
+       .section = "A.2.18",
+       .summary = "results for plotting at intervals of time",
+       .fields = {{"dtplot", real, "", positive, "[T]",
+                   "interval; blank: frames are counted in steps"},
+                  {"t",
+                   real,
+                   "",
+                   positive,
+                   "[T]",
+                   "further times with a frame, any number of them; without "
+                   "dtplot the number of steps between frames (not in the "
+                   "report)",
+                   {},
+                   true}},
+       .notes = "A frame is the state after the step whose time is nearest. "
+                "PLOTS, , n writes one every n steps from this card on, for runs "
+                "whose time means nothing. The state at the start and at the end "
+                "is always written. The card may continue on further lines.",
+       .example = "PLOTS, .01, .0025, .0075",
+       .continue_below = std::numeric_limits<std::size_t>::max()});
   cards.push_back(
       {.name = "HISTORY",
        .section = "ours",

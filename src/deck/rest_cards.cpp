@@ -32,6 +32,14 @@ std::vector<CardSpec> rest_cards() {
        .notes = "All free blocks are stopped whenever the kinetic energy of the model "
                 "has passed a peak.",
        .example = "KINDAMP, 0"},
+      {.name = "MSCALE",
+       .section = "ours",
+       .summary = "scale masses during SOLVE, for statics",
+       .fields = {{"on", integer, "1", off_or_on, "[-]", "0 ends mass scaling"}},
+       .notes = "During SOLVE, the inertial masses of free blocks are such that all "
+                "have the same critical time step. Weights and forces stay as they "
+                "are. Outside SOLVE, blocks have their true masses.",
+       .example = "MSCALE, 0"},
       {.name = "INSITU",
        .section = "ours",
        .summary = "stress in the ground at the start",
@@ -89,6 +97,20 @@ std::vector<CardSpec> rest_cards() {
            "nmax steps do not reach them, there is a warning, and the deck continues. "
            "Needs damping: DAMPING, LOCDAMP or KINDAMP.",
        .example = "SOLVE, 1.D-5, 20000"},
+      {.name = "SAVE",
+       .section = "ours",
+       .summary = "write a checkpoint under a name",
+       .fields = {{"name",
+                   word,
+                   {},
+                   any,
+                   "",
+                   "name of the checkpoint, without a folder; the file is "
+                   "name.ckpt.h5, beside the other files of the run"}},
+       .notes = "Another deck continues from here with RESTART, name. A run of the "
+                "same deck replaces the file and keeps the old one as .prev. A file of "
+                "another deck gets the ending .bak, with a warning.",
+       .example = "SAVE, excavated"},
   };
 }
 

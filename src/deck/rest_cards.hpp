@@ -1,5 +1,6 @@
 // The part of the card table that brings a model to rest and drives or opens its sides:
-// LOCDAMP, KINDAMP, SOLVE, INSITU, SERVO (docs/rest.md), QUIET (docs/waves.md).
+// LOCDAMP, KINDAMP, MSCALE, SOLVE, SAVE, INSITU, SERVO (docs/rest.md), QUIET
+// (docs/waves.md).
 #pragma once
 
 #include <vector>

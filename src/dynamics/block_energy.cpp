@@ -10,11 +10,15 @@ BlockMotion motion_of(const Blocks& blocks, int b) {
 }
 
 BlockMasses masses_of(const Blocks& blocks, int b, bool rigid) {
-  BlockMasses masses{blocks.mass[b], blocks.inertia[b], {0.0, 0.0, 0.0}};
+  const double mass = blocks.inertial_mass(b);
+  const double inertia = blocks.has_scaled_masses()
+                             ? blocks.scale[b] * blocks.inertia[b]
+                             : blocks.inertia[b];
+  BlockMasses masses{mass, inertia, {0.0, 0.0, 0.0}};
   if (!rigid) {
     const Vec2 l = extent(blocks, b);
-    masses.strain[0] = 0.25 * l.x() * l.x() * blocks.mass[b];
-    masses.strain[1] = 0.25 * l.y() * l.y() * blocks.mass[b];
+    masses.strain[0] = 0.25 * l.x() * l.x() * mass;
+    masses.strain[1] = 0.25 * l.y() * l.y() * mass;
     // The mean mass acts on the strain rates 12 and 21.
     masses.strain[2] = masses.strain[0] + masses.strain[1];
   }

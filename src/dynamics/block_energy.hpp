@@ -19,7 +19,8 @@ struct BlockMasses {
 
 /// Returns the present motion of block b. The strain rates of a rigid block are 0.
 BlockMotion motion_of(const Blocks& blocks, int b);
-/// Returns the masses of block b with its present extents.
+/// Returns the inertial masses of block b with its present extents. MSCALE scales them
+/// during SOLVE.
 BlockMasses masses_of(const Blocks& blocks, int b, bool rigid);
 /// Turns strain rates of block b back by its motion in the last step, which has turned
 /// them.

@@ -276,7 +276,7 @@ BlockTally tally_motion(const Model& model, const Vec2& gravity, const WorkSplit
         }
         tally.next_kinetic += kinetic_energy(masses_of(blocks, b, rigid), now, now);
         tally.artificial += memory.damped[static_cast<std::size_t>(b)];
-        tally.gravity += dt * masses.mass * gravity.dot(before.velocity);
+        tally.gravity += dt * blocks.mass[b] * gravity.dot(before.velocity);
         if (!rigid)
           tally.strain_work += last_stress_work(
               blocks, b, model.settings.materials.at(blocks.material[b]), dt);

@@ -21,6 +21,7 @@ BlockColumns columns_of(Blocks& blocks) {
           .moment = blocks.moment.data(),
           .applied = blocks.applied.data(),
           .arm = blocks.arm.data(),
+          .scale = blocks.has_scaled_masses() ? blocks.scale.data() : nullptr,
           .corner = blocks.corner.data(),
           .centroid = blocks.centroid.data(),
           .gradient = blocks.gradient.data(),

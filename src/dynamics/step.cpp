@@ -1,13 +1,15 @@
 #include "dynamics/step.hpp"
 
 #include "dynamics/contacts/contact_list.hpp"
+#include "dynamics/mass_scaling.hpp"
 #include "dynamics/time_step.hpp"
 #include "model/numbering.hpp"
 
 namespace blocks::dynamics {
 
 void prepare(Model& model) {
-  model.kept = {};  // cards may have changed the blocks
+  model.kept = {};          // cards may have changed the blocks
+  end_mass_scaling(model);  // of a SOLVE that was not finished
   fix_outside_domain(model);
   if (model.time_step.blocks != model.blocks.size()) {
     // The times of later steps are counted from here.

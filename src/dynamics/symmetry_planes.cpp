@@ -60,7 +60,7 @@ PlaneForce plane_force(const Blocks& blocks, const PlaneContacts& contacts, int 
   force.arm = blocks.present_arm(c);
   force.closing = -point_velocity(blocks, b, force.arm).dot(force.inward);
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness, 0.0, dt};
-  const double damping = damping_against_fixed(settings, blocks.mass[b]);
+  const double damping = damping_against_fixed(settings, blocks.inertial_mass(b));
   double shear_elastic = 0.0, shear = 0.0;
   force.spring = contacts.normal_elastic[i];
   apply(law, force.spring, shear_elastic, force.closing, 0.0, force.overlap, damping,

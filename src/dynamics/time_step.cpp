@@ -151,6 +151,26 @@ double least_mass(const Settings& settings, const Blocks& blocks, int b) {
 
 }  // namespace
 
+namespace {
+
+/// Returns the step (4) with this mass and stiffness, [T].
+double contact_step(double fraction, double mass, double stiffness) {
+  return fraction * 2.0 * std::sqrt(mass / stiffness);
+}
+
+/// Returns the step that the deformability of a block allows, [T]. `width` is its least
+/// width, [L].
+double elastic_step(const Material& material, double width) {
+  const double z = material.damping;
+  // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
+  // where C is at most 2 C11. This factor keeps the left side below 2 M for all z; the
+  // rest is for contacts.
+  const double damped = std::sqrt(1.0 + z * z) - z;
+  return 0.5 * damped * width * std::sqrt(material.density / material.c11());
+}
+
+}  // namespace
+
 TimeStep choose_time_step(const Model& model) {
   const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
@@ -162,7 +182,7 @@ TimeStep choose_time_step(const Model& model) {
     if (blocks.is_removed(b))
       continue;
     const double mass = least_mass(settings, blocks, b);
-    const double dt = fraction * 2.0 * std::sqrt(mass / stiffness.of(blocks, b));
+    const double dt = contact_step(fraction, mass, stiffness.of(blocks, b));
     if (dt < best.dt)
       best = {dt, b, blocks.size(), false, mass < blocks.mass[b]};
   }
@@ -171,20 +191,38 @@ TimeStep choose_time_step(const Model& model) {
   for (int b = 0; b < blocks.size(); ++b) {
     if (!blocks.is_free(b))
       continue;
-    const Material& material = settings.materials.at(blocks.material[b]);
     const double whole = least_width(blocks, b);
     const double piece = least_width_of_pieces(least_piece(settings, blocks, b));
-    const double z = material.damping;
-    // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
-    // where C is at most 2 C11. This factor keeps the left side below 2 M for all z;
-    // the rest is for contacts.
-    const double damped = std::sqrt(1.0 + z * z) - z;
-    const double dt = 0.5 * damped * std::min(whole, piece) *
-                      std::sqrt(material.density / material.c11());
+    const double dt =
+        elastic_step(settings.materials.at(blocks.material[b]), std::min(whole, piece));
     if (dt < best.dt)
       best = {dt, b, blocks.size(), true, piece < whole};
   }
   return best;
+}
+
+Eigen::VectorXd steps_of_blocks(const Model& model,
+                                const Eigen::VectorXd& contact_share) {
+  const Settings& settings = model.settings;
+  const Blocks& blocks = model.blocks;
+  const ContactStiffness stiffness(model);
+  const double fraction = fraction_in_force(settings);
+  const double constant = std::max(settings.normal_stiffness, settings.shear_stiffness);
+  Eigen::VectorXd steps = Eigen::VectorXd::Zero(blocks.size());
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (!blocks.is_free(b))
+      continue;
+    const double k = std::max(contact_share[b] * constant, stiffness.of(blocks, b));
+    steps[b] = contact_step(fraction, least_mass(settings, blocks, b), k);
+    if (settings.rigid)
+      continue;
+    const double width =
+        std::min(least_width(blocks, b),
+                 least_width_of_pieces(least_piece(settings, blocks, b)));
+    steps[b] = std::min(steps[b],
+                        elastic_step(settings.materials.at(blocks.material[b]), width));
+  }
+  return steps;
 }
 
 }  // namespace blocks::dynamics

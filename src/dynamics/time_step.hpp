@@ -15,6 +15,14 @@ namespace blocks::dynamics {
 /// and least_width_of_pieces(). So no crack changes the time step.
 TimeStep choose_time_step(const Model& model);
 
+/// Returns the step that each free block would allow by itself, [T] (n); 0 for other
+/// blocks. The stiffness of STIFF is multiplied by the block's entry of
+/// `contact_share`, (n), which is 1 for a block with as many contacts as
+/// safe_fraction() assumes. A law of joints needs no factor: its stiffness belongs to
+/// whole faces.
+Eigen::VectorXd steps_of_blocks(const Model& model,
+                                const Eigen::VectorXd& contact_share);
+
 /// Returns the least width of the pieces of a deformable block, half the square root of
 /// the least area, [L]. Thinner pieces are refused (docs/cracks.md#the-time-step).
 double least_width_of_pieces(double least_area);

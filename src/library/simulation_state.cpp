@@ -9,6 +9,7 @@
 
 #include "dynamics/cracks/cracking.hpp"
 #include "dynamics/kernels/kernels.hpp"
+#include "dynamics/mass_scaling.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/deck_messages.hpp"
 #include "output/checkpoint.hpp"
@@ -16,6 +17,7 @@
 #include "run/convergence.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
+#include "run/saved_state.hpp"
 #include "run/soundness.hpp"
 
 namespace blocks {
@@ -123,7 +125,9 @@ void Simulation::State::execute_on(Model& on, const deck::Deck& deck,
         stop_at_faults();
       }
       output::CheckpointInfo from;
-      on = output::read_checkpoint(run::beside(folder, card->file.value), from);
+      on = output::read_checkpoint(run::checkpoint_named(folder, card->file.value, ""),
+                                   from);
+      dynamics::end_mass_scaling(on);  // of a SOLVE that was not finished
       overlaps = from.progress.overlaps;
       watch_ = run::MotionWatch(on, {from.progress.fast_told, from.progress.flight_told,
                                      from.progress.deep_told});
@@ -140,6 +144,9 @@ void Simulation::State::execute_on(Model& on, const deck::Deck& deck,
   bool in_place = true;
   for (const deck::Command& command : deck.commands) {
     builder.apply(command);
+    if (std::holds_alternative<deck::Save>(command.card))
+      said.warning(command.where, command.name, "has no effect in a program",
+                   "write_checkpoint() writes a checkpoint");
     if (!deck::passes_time(command))
       continue;
     if (moving || !said.has_errors())
@@ -196,12 +203,20 @@ void Simulation::State::step(long count, bool reads) {
 
 void Simulation::State::solve(const deck::Solve& card, int line) {
   run::Convergence convergence(card);
+  if (dynamics::may_scale_masses(model)) {
+    dynamics::begin_mass_scaling(model);
+    stepper.changed();
+  }
   while (!convergence.is_finished()) {
     const bool tested = convergence.is_due();
     advance(tested);
     convergence.after_step(tested ? stepper.up_to_date() : model);
   }
   model.solves.push_back(convergence.record(model, line));
+  if (model.blocks.has_scaled_masses()) {
+    dynamics::end_mass_scaling(model);
+    stepper.changed();
+  }
   if (const SolveRecord& solve = model.solves.back(); !solve.converged)
     warnings.push_back(run::solve_warning(solve, model.settings));
 }

@@ -56,10 +56,13 @@ struct Blocks {
   /// stored as its block, its number of corners, and these corners' numbers in the
   /// block, clockwise, from 0.
   std::vector<int> cuts;
-  std::vector<int> layer;     ///< (n) LAYER card that made it, from 1; 0: none
-  Eigen::VectorXd area;       ///< [L^2] (n) at creation
-  Eigen::VectorXd mass;       ///< [M] (n) > 0
-  Eigen::VectorXd inertia;    ///< [M L^2] (n) about the centroid, RMOI
+  std::vector<int> layer;   ///< (n) LAYER card that made it, from 1; 0: none
+  Eigen::VectorXd area;     ///< [L^2] (n) at creation
+  Eigen::VectorXd mass;     ///< [M] (n) > 0
+  Eigen::VectorXd inertia;  ///< [M L^2] (n) about the centroid, RMOI
+  /// (n) inertial mass over mass during SOLVE with MSCALE, 1 for blocks that are not
+  /// free; otherwise empty. Weights never have it.
+  Eigen::VectorXd scale;
   Eigen::Matrix2Xd centroid;  ///< [L] (2, n) XC, YC
   Eigen::Matrix2Xd velocity;  ///< [L/T] (2, n) VX, VY
   /// (4, n) deformation gradient since creation: the present arm of a corner is
@@ -81,6 +84,11 @@ struct Blocks {
   bool is_free(int b) const { return fixity[b] == Fixity::free; }
   bool is_removed(int b) const { return fixity[b] == Fixity::removed; }
   bool is_driven(int b) const { return fixity[b] == Fixity::driven; }
+  bool has_scaled_masses() const { return scale.size() > 0; }
+  /// Returns the mass of block b times its scale: that which resists a force.
+  double inertial_mass(int b) const {
+    return has_scaled_masses() ? scale[b] * mass[b] : mass[b];
+  }
   /// Returns whether two blocks can touch: at least one is free or driven.
   bool may_touch(int a, int b) const {
     return is_free(a) || is_free(b) || is_driven(a) || is_driven(b);

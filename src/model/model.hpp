@@ -111,6 +111,9 @@ struct SolveRecord {
   double reached_local =
       0.0;               ///< the largest one after the last step (local_ratio.hpp)
   int local_block = -1;  ///< its block; -1: all are in equilibrium
+  double dt = 0.0;       ///< [T] time step
+  /// smallest and largest Blocks::scale of free blocks; 1 without MSCALE
+  double least_scale = 1.0, largest_scale = 1.0;
 };
 
 /// The state of a run.
@@ -130,6 +133,7 @@ struct Model {
   SearchState search;
   OutputClock output, plots;
   std::vector<double> plot_times;  ///< [T] further times of PLOTS, strictly ascending
+  StepClock plot_steps;
   HistoryRequest history;
   std::vector<int> output_blocks;  ///< list of the OUTPUT card, from 0; empty: all
   /// Order in which the blocks are stepped: a permutation of all blocks that existed

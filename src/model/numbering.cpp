@@ -143,6 +143,10 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
             &Blocks::gradient, &Blocks::velocity, &Blocks::angle, &Blocks::spin,
             &Blocks::force, &Blocks::moment, &Blocks::applied, &Blocks::stress,
             &Blocks::strain_rate);
+  if (from.has_scaled_masses())
+    of_blocks(&Blocks::scale);
+  else
+    to.scale.resize(0);
   for (int& block : to.corner_block)
     block = blocks_.new_of[block];
   to.cuts = from.cuts;

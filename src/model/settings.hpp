@@ -75,6 +75,7 @@ struct Settings {
   GravityRamp gravity_ramp;
   double local_damping = 0.0;    ///< LOCDAMP: alpha, 0 <= alpha < 1
   bool kinetic_damping = false;  ///< KINDAMP
+  bool mass_scaling = false;     ///< MSCALE
   /// INSITU has acted: contacts without the law of a joint keep a JointState too.
   bool in_situ = false;
   bool rigid = false;  ///< IRIGID
@@ -104,6 +105,15 @@ struct HistoryRequest {
 struct OutputClock {
   double interval = 0.0;  ///< [T]
   double due = 0.0;       ///< [T] TOUT, TPLOT
+};
+
+/// PLOTS, , n: a frame every `interval` steps after step `origin`. Interval 0: none.
+struct StepClock {
+  long interval = 0, origin = 0;
+
+  bool is_due(long step) const {
+    return interval > 0 && step > origin && (step - origin) % interval == 0;
+  }
 };
 
 }  // namespace blocks

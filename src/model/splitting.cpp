@@ -80,8 +80,13 @@ void grow(Blocks& blocks, const std::vector<BlockSplit>& splits) {
   for (Eigen::Matrix4Xd* column :
        {&blocks.gradient, &blocks.applied, &blocks.stress, &blocks.strain_rate})
     column->conservativeResize(4, now);
+  const bool scaled = blocks.has_scaled_masses();
+  if (scaled)
+    blocks.scale.conservativeResize(now);
   int b = old;
   for (const BlockSplit& split : splits) {
+    if (scaled)
+      blocks.scale[b] = blocks.scale[split.block];
     const auto parent = static_cast<std::size_t>(split.block);
     blocks.material.push_back(blocks.material[parent]);
     blocks.fixity.push_back(blocks.fixity[parent]);

@@ -133,6 +133,8 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
                                      {"blocks/mass", &b.mass},
                                      {"blocks/inertia", &b.inertia}})
     expect_all(name, *column, n, positive);
+  if (b.has_scaled_masses())
+    expect_all("blocks/scale", b.scale, n, positive);
   for (const auto& [name, column] : {std::pair{"blocks/angle", &b.angle},
                                      {"blocks/spin", &b.spin},
                                      {"blocks/moment", &b.moment}})
@@ -318,7 +320,8 @@ void expect_records(const Model& model) {
     for (const double value :
          {static_cast<double>(solve.line), solve.wanted, solve.reached,
           static_cast<double>(solve.steps), solve.time, solve.largest,
-          solve.wanted_local, solve.reached_local})
+          solve.wanted_local, solve.reached_local, solve.dt, solve.least_scale,
+          solve.largest_scale})
       expect("solves", value, not_negative);
     for (const int block : {solve.block, solve.local_block})
       expect_index("solves/block", block + 1, model.blocks.size() + 1);
@@ -371,6 +374,8 @@ void expect_time(const Model& model) {
     if (i > 0 && !(model.plot_times[i - 1] < model.plot_times[i]))
       reject_checkpoint("plots/times do not increase");
   }
+  for (const long steps : {model.plot_steps.interval, model.plot_steps.origin})
+    expect("plots/steps", static_cast<double>(steps), not_negative);
   for (const auto& [name, clock] :
        {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
     expect(std::string(name) + "/interval", clock->interval, not_negative);

@@ -9,6 +9,17 @@
 #include "quantities/energy.hpp"
 
 namespace blocks::output {
+namespace {
+
+/// Returns the line below a SOLVE that has scaled masses; otherwise empty.
+std::string scaling_text(const SolveRecord& solve) {
+  if (solve.least_scale == 1.0 && solve.largest_scale == 1.0)
+    return "";
+  return fmt::format("          masses scaled by {:.6g} to {:.6g}, time step {:.6g}\n",
+                     solve.least_scale, solve.largest_scale, solve.dt);
+}
+
+}  // namespace
 
 Listing::Listing(const std::string& path, bool append)
     : out_(path, append ? std::ios::app : std::ios::trunc), path_(path) {
@@ -131,7 +142,8 @@ void Listing::closing(const Model& model) {
            << number(solve.wanted_local) << number(solve.reached_local)
            << (solve.local_block < 0 ? over_whole("-") : whole(solve.local_block + 1))
            << whole(solve.steps) << number(solve.time) << "    "
-           << (solve.converged ? "yes" : "no") << "\n";
+           << (solve.converged ? "yes" : "no") << "\n"
+           << scaling_text(solve);
   }
   if (model.energy.kept) {
     out_ << heading("ENERGY");

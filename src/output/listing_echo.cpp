@@ -38,6 +38,8 @@ std::string damping_echo(const Settings& s) {
     text += setting("local damping", "ALPHA", s.local_damping);
   if (s.kinetic_damping)
     text += setting("kinetic damping", "KINDAMP", std::string("on"));
+  if (s.mass_scaling)
+    text += setting("mass scaling in SOLVE", "MSCALE", std::string("on"));
   return text;
 }
 

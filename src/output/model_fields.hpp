@@ -55,9 +55,9 @@ void visit_laws(L& laws, P& pairs, Archive& ar) {
 template <class S, class Archive> void visit_settings(S& settings, Archive& ar) {
   auto& [title, units, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
          contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
-         friction, gravity, gravity_ramp, local_damping, kinetic_damping, in_situ,
-         rigid, materials, joint_laws, joint_of_materials, crack_rules, planes, seed,
-         angle_min, angle_max, merge_ratio, layers_made] = settings;
+         friction, gravity, gravity_ramp, local_damping, kinetic_damping, mass_scaling,
+         in_situ, rigid, materials, joint_laws, joint_of_materials, crack_rules, planes,
+         seed, angle_min, angle_max, merge_ratio, layers_made] = settings;
   ar("settings/title", title);
   {
     auto& [length, mass, time] = units;
@@ -86,6 +86,7 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   }
   ar("settings/local_damping", local_damping);
   ar("settings/kinetic_damping", kinetic_damping);
+  ar("settings/mass_scaling", mass_scaling);
   ar("settings/in_situ", in_situ);
   ar("settings/rigid", rigid);
   ar.materials("settings/materials", materials,
@@ -124,8 +125,8 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
 
 template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   auto& [first_corner, corner_block, next, previous, joint, arm, corner, material,
-         fixity, convex, cuts, layer, area, mass, inertia, centroid, velocity, gradient,
-         angle, spin, force, moment, applied, stress, strain_rate] = blocks;
+         fixity, convex, cuts, layer, area, mass, inertia, scale, centroid, velocity,
+         gradient, angle, spin, force, moment, applied, stress, strain_rate] = blocks;
   ar("blocks/first_corner", first_corner);
   ar("blocks/corner_block", corner_block);
   ar("blocks/next", next);
@@ -141,6 +142,7 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   ar("blocks/area", area);
   ar("blocks/mass", mass);
   ar("blocks/inertia", inertia);
+  ar("blocks/scale", scale);
   ar("blocks/centroid", centroid);
   ar("blocks/velocity", velocity);
   ar("blocks/gradient", gradient);
@@ -274,10 +276,10 @@ void visit_cracks(C& cracks, R& refusals, Archive& ar) {
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts, loads,
-         drives, servos, time_step, search, output, plots, plot_times, history,
-         output_blocks, order, exits, merges, layers, cuts, joint_lengths, steps, time,
-         time_origin, step_origin, started, worst_overlap, energy, kept, solves, cracks,
-         crack_refusals, last_kinetic_energy] = model;
+         drives, servos, time_step, search, output, plots, plot_times, plot_steps,
+         history, output_blocks, order, exits, merges, layers, cuts, joint_lengths,
+         steps, time, time_origin, step_origin, started, worst_overlap, energy, kept,
+         solves, cracks, crack_refusals, last_kinetic_energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -316,6 +318,11 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   visit_clock(output, "output/interval", "output/due", ar);
   visit_clock(plots, "plots/interval", "plots/due", ar);
   ar("plots/times", plot_times);
+  {
+    auto& [interval, origin] = plot_steps;
+    ar("plots/steps/interval", interval);
+    ar("plots/steps/origin", origin);
+  }
   {
     auto& [interval, quantities] = history;
     ar("history/interval", interval);
@@ -400,7 +407,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   visit_kept(kept, ar);
   ar.records("solves", solves, [](auto& column, auto& solve) {
     auto& [line, wanted, reached, step_count, end, converged, largest, at, wanted_local,
-           reached_local, local_block] = solve;
+           reached_local, local_block, dt, least_scale, largest_scale] = solve;
     column("line", line);
     column("wanted", wanted);
     column("reached", reached);
@@ -412,6 +419,9 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("wanted_local", wanted_local);
     column("reached_local", reached_local);
     column("local_block", local_block);
+    column("dt", dt);
+    column("least_scale", least_scale);
+    column("largest_scale", largest_scale);
   });
   visit_cracks(cracks, crack_refusals, ar);
   ar("last_kinetic_energy", last_kinetic_energy);

@@ -229,6 +229,10 @@ Json exits(const Model& model) {
   return list;
 }
 
+bool is_scaled(const SolveRecord& solve) {
+  return solve.least_scale != 1.0 || solve.largest_scale != 1.0;
+}
+
 Json solves(const Model& model) {
   Json list = Json::array();
   for (const SolveRecord& solve : model.solves)
@@ -242,6 +246,10 @@ Json solves(const Model& model) {
          {"local", solve.wanted_local},
          {"reached_local", solve.reached_local},
          {"local_block", solve.local_block < 0 ? Json() : Json(solve.local_block + 1)},
+         {"time_step", solve.dt},
+         {"mass_scaling", is_scaled(solve) ? Json{{"least", solve.least_scale},
+                                                  {"largest", solve.largest_scale}}
+                                           : Json()},
          {"largest_unbalanced", solve.block < 0 ? Json()
                                                 : Json{{"block", solve.block + 1},
                                                        {"force", solve.largest}}}});

@@ -259,6 +259,9 @@ struct Builder::Visitor {
     settings.kinetic_damping = card.on.value != 0;
     model.last_kinetic_energy = 0.0;
   }
+  void operator()(const deck::Mscale& card) {
+    settings.mass_scaling = card.on.value != 0;
+  }
   void operator()(const deck::Insitu& card) { self.load_in_situ(command, card); }
   void operator()(const deck::Servo& card) { self.servo(command, card); }
   void operator()(const deck::Quiet& card) { self.make_quiet(command, card); }
@@ -275,7 +278,11 @@ struct Builder::Visitor {
     model.output = {card.dtout.value, model.time + card.dtout.value};
   }
   void operator()(const deck::Plots& card) {
-    model.plots = {card.dtplot.value, model.time + card.dtplot.value};
+    model.plots = {}, model.plot_steps = {};
+    if (card.steps.given)
+      model.plot_steps = {card.steps.value, model.steps};
+    else
+      model.plots = {card.dtplot.value, model.time + card.dtplot.value};
     std::set<double> times;
     for (const deck::Real& time : card.times)
       times.insert(time.value);
@@ -296,6 +303,7 @@ struct Builder::Visitor {
     self.histories_.push_back(command);  // its blocks may be made later
   }
   void operator()(const deck::Dump&) {}
+  void operator()(const deck::Save&) {}
   void operator()(const deck::Motion&) { pass_time(); }
   void operator()(const deck::Cycle&) { pass_time(); }
   void operator()(const deck::Solve&) {

@@ -218,6 +218,11 @@ void Builder::check_fraction(const Command& command) {
 
 void Builder::check_damping(const Command& solve) {
   const Settings& settings = model_.settings;
+  if (settings.mass_scaling && !model_.loads.quiet_sides.empty())
+    diagnostics_.warning(solve.where, solve.name,
+                         "MSCALE does not act, because the model has quiet sides",
+                         "their dashpots belong to the true masses; put QUIET after "
+                         "SOLVE");
   if (settings.damping > 0.0 || is_damped_to_rest(settings))
     return;
   diagnostics_.warning(solve.where, solve.name,

@@ -139,6 +139,24 @@ std::vector<Doubt> doubt_ramp(const Plan& plan) {
   return doubts;
 }
 
+std::vector<Doubt> doubt_scaling(const Plan& plan) {
+  std::vector<Doubt> doubts;
+  for (auto card = plan.cards.begin(); card != plan.cards.end(); ++card) {
+    const auto* scaling = std::get_if<deck::Mscale>(&card->card);
+    if (scaling == nullptr || scaling->on.value == 0)
+      continue;
+    const bool acts = std::any_of(card, plan.cards.end(), [](const auto& next) {
+      return std::holds_alternative<deck::Solve>(next.card);
+    });
+    if (!acts)
+      doubts.push_back({"masses are scaled only during SOLVE, and none follows",
+                        "time has no meaning with scaled masses, so MOTION and CYCLE "
+                        "never scale them",
+                        card->where, card->name});
+  }
+  return doubts;
+}
+
 std::vector<Doubt> doubt_motion(const Plan& plan) {
   if (std::holds_alternative<deck::Restart>(plan.cards.front().card) ||
       std::any_of(plan.cards.begin(), plan.cards.end(), deck::passes_time))

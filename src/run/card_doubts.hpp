@@ -25,4 +25,7 @@ std::vector<Doubt> doubt_ramp(const Plan& plan);
 /// A deck that makes no step.
 std::vector<Doubt> doubt_motion(const Plan& plan);
 
+/// MSCALE cards that no SOLVE follows.
+std::vector<Doubt> doubt_scaling(const Plan& plan);
+
 }  // namespace blocks::run

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/mass_scaling.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 
@@ -67,6 +68,10 @@ SolveRecord Convergence::record(const Model& model, int line) const {
   solve.wanted_local = wanted_local_;
   solve.reached_local = now_.local;
   solve.local_block = now_.block;
+  solve.dt = model.time_step.dt;
+  const dynamics::MassFactors factors = dynamics::mass_factors(model.blocks);
+  solve.least_scale = factors.least;
+  solve.largest_scale = factors.largest;
   return solve;
 }
 

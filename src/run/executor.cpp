@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "dynamics/cracks/cracking.hpp"
+#include "dynamics/mass_scaling.hpp"
 #include "model/counted.hpp"
 #include "model/law_report.hpp"
 #include "model/safe_fraction.hpp"
@@ -44,6 +45,13 @@ Executor::Executor(Model& model, RunFiles& files, Console& console,
   work_.workers->measure(&profile_.in_workers);
 }
 
+void Executor::save(const std::string& path) {
+  output::Progress now = progress();
+  ++now.card;  // a restart goes on behind the card
+  if (const std::string aside = files_.save(path, model_, now); !aside.empty())
+    warn(aside);
+}
+
 void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
   begun_ = progress.steps_left > 0;
@@ -51,7 +59,8 @@ void Executor::resume(const output::Progress& progress) {
   watch_ = MotionWatch(model_,
                        {progress.fast_told, progress.flight_told, progress.deep_told});
   crack_watch_ = CrackWatch(model_);
-  echoed_ = started_moving_ = true;
+  // SAVE may have written the checkpoint before the first motion.
+  echoed_ = started_moving_ = model_.started || progress.finished;
   std::istringstream lines(progress.warnings);
   for (std::string line; std::getline(lines, line);)
     warnings_.push_back(line);
@@ -94,12 +103,25 @@ Outcome Executor::cycle(long steps) {
 
 Outcome Executor::solve(const deck::Solve& card, int line) {
   start();
+  if (!begun_ && dynamics::may_scale_masses(model_))
+    scale_masses();
   const long left = left_of(card.nmax.value);
   solving_.emplace(card, card.nmax.value - left, begun_ && progress_.below_ratio);
   solve_line_ = line;
   const Outcome outcome = advance(left);
   solving_.reset();
   return outcome;
+}
+
+void Executor::scale_masses() {
+  const double dt = model_.time_step.dt;
+  dynamics::begin_mass_scaling(model_);
+  const dynamics::MassFactors factors = dynamics::mass_factors(model_.blocks);
+  const std::string line = fmt::format(
+      "SOLVE scales masses by {:.3g} to {:.3g}: dt {:.6g} instead of {:.6g}",
+      factors.least, factors.largest, model_.time_step.dt, dt);
+  files_.message(line);
+  console_.note(line);
 }
 
 bool Executor::ends_card(long left) const {
@@ -116,6 +138,7 @@ void Executor::end_card() {
   const Model& model = stepper_.up_to_date();
   const SolveRecord solve = solving_->record(model, solve_line_);
   model_.solves.push_back(solve);
+  dynamics::end_mass_scaling(model_);
   if (!solve.converged)
     return warn(solve_warning(solve, model_.settings));
   files_.message(solve_line(solve));
@@ -285,7 +308,8 @@ void wind(OutputClock& clock, double time, double dt) {
 bool Executor::output_due() const {
   const double then = dynamics::time_after_step(model_), dt = model_.time_step.dt;
   return is_due(model_.plots, then, dt) || is_due(model_.output, then, dt) ||
-         is_nearest(model_.plot_times, then, dt);
+         is_nearest(model_.plot_times, then, dt) ||
+         model_.plot_steps.is_due(model_.steps + 1);
 }
 
 bool Executor::sample_due() const {
@@ -303,7 +327,8 @@ void Executor::output_if_due() {
     return is;
   };
   const bool at_interval = due(model_.plots);
-  if (at_interval || is_nearest(model_.plot_times, model_.time, model_.time_step.dt))
+  if (at_interval || model_.plot_steps.is_due(model_.steps) ||
+      is_nearest(model_.plot_times, model_.time, model_.time_step.dt))
     files_.frame(stepper_.up_to_date());
   if (due(model_.output))
     files_.table(stepper_.up_to_date());

@@ -54,6 +54,8 @@ class Executor {
 
   /// Executes DUMP.
   void dump();
+  /// Executes SAVE: writes a checkpoint with this path.
+  void save(const std::string& path);
   /// Echoes the input if no time passed, and reports the audit totals.
   void finish();
   /// The profile of the run; null unless it was requested.
@@ -87,6 +89,8 @@ class Executor {
   Outcome march(long steps);
   /// Whether the card ends with the last step, which has `left` steps after it.
   bool ends_card(long left) const;
+  /// Begins mass scaling for a SOLVE card and tells about it.
+  void scale_masses();
   void end_card();
   /// The completed share of the whole run after `made` of `last` steps of the card.
   double share_after(long made, long last) const;

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <variant>
 
+#include "dynamics/mass_scaling.hpp"
 #include "quantities/quantity.hpp"
 #include "run/cut_progress.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
+#include "run/saved_state.hpp"
 
 namespace blocks::run {
 namespace {
@@ -112,7 +114,8 @@ std::string Job::checkpoint() const {
   if (options.restart)
     return *options.restart;
   const auto& card = std::get<deck::Restart>(deck.commands.front().card);
-  return card.file.given ? card.file.value : name + ".ckpt.h5";
+  return card.file.given ? checkpoint_named("", card.file.value, name)
+                         : name + ".ckpt.h5";
 }
 
 /// The --set options, one per line.
@@ -165,8 +168,10 @@ Model Job::load() {
     refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; use that "
                        "deck, or one that begins with RESTART",
                        from.deck_file, model.settings.title));
-  if (!resumes)
+  if (!resumes) {
+    dynamics::end_mass_scaling(model);  // of a SOLVE that was not finished
     return model;
+  }
   const std::string sets = overrides();
   if (from.overrides != sets + files && from.overrides.starts_with(sets) &&
       holds_file_sums(from.overrides.substr(sets.size())))

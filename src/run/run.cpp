@@ -24,6 +24,7 @@
 #include "run/executor.hpp"
 #include "run/interrupt.hpp"
 #include "run/job.hpp"
+#include "run/saved_state.hpp"
 
 namespace blocks::run {
 namespace {
@@ -90,6 +91,8 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
       !job.deck.commands.empty())
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
+  check_saves(job.deck, job.name, job.continues() ? job.checkpoint() : "",
+              job.diagnostics);
   if (!job.diagnostics.has_errors())
     builder.check_deck(job.deck.commands, job.options.driven);
   notes = builder.take_notes();
@@ -241,6 +244,8 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       outcome = executor.solve(*solve, command.where.line);
     else if (std::holds_alternative<deck::Dump>(command.card))
       executor.dump();
+    else if (const auto* save = std::get_if<deck::Save>(&command.card))
+      executor.save(saved_path(job.name, save->name.value));
     else if (std::holds_alternative<deck::Stop>(command.card))
       break;
   }

@@ -7,7 +7,9 @@
 #include <fstream>
 
 #include "output/file_tools.hpp"
+#include "output/name_lock.hpp"
 #include "output/results_mark.hpp"
+#include "run/saved_state.hpp"
 #include "run/shell_word.hpp"
 
 namespace blocks::run {
@@ -257,14 +259,24 @@ output::Progress RunFiles::here(output::Progress progress) {
   return progress;
 }
 
-void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress,
-                             Kept kept) {
+std::string RunFiles::save(const std::string& path, const Model& model,
+                           const output::Progress& progress) {
+  const output::NameLock lock(path.substr(0, path.size() - checkpoint_ending.size()),
+                              path);
+  const std::string warning = put_aside_unless_own(path, identity_);
+  const output::Progress now = here(progress);
+  checkpoint_at(path, model, now, {now.frames, now.listing_bytes});
+  return warning;
+}
+
+void RunFiles::checkpoint_at(const std::string& path, const Model& model,
+                             const output::Progress& progress, Kept kept) {
   // The files that a checkpoint refers to must be on disk before it is.
   results_->flush_history();
-  for (const std::string& path : {results_path(), name_ + ".out"})
-    if (std::filesystem::is_regular_file(path))
-      output::sync_file(path, path);
-  output::write_checkpoint(checkpoint_path(), model,
+  for (const std::string& file : {results_path(), name_ + ".out"})
+    if (std::filesystem::is_regular_file(file))
+      output::sync_file(file, file);
+  output::write_checkpoint(path, model,
                            {identity_.deck_file, identity_.deck_text,
                             identity_.overrides, results_path(), results_->run_id(),
                             kept.frames, kept.bytes, identity_.version, progress});
@@ -278,7 +290,8 @@ void RunFiles::close(const Model& model, output::RunReport report,
   table(model);
   listing_.closing(model);
   if (report.status != "unsound")  // keep the last good checkpoint
-    checkpoint_at(model, stopped, {results_->frames(), listing_.size()});
+    checkpoint_at(checkpoint_path(), model, stopped,
+                  {results_->frames(), listing_.size()});
   report.identity = identity_;
   report.frames = results_->frames();
   output::write_summary(summary_path(), model, report);

@@ -48,8 +48,14 @@ class RunFiles {
   /// Writes a state that was kept in memory. `progress` was returned by here() at that
   /// time.
   void good_checkpoint(const Model& model, const output::Progress& progress) {
-    checkpoint_at(model, progress, {progress.frames, progress.listing_bytes});
+    checkpoint_at(checkpoint_path(), model, progress,
+                  {progress.frames, progress.listing_bytes});
   }
+  /// Writes the checkpoint of a SAVE card. An older file with this path that is not of
+  /// this deck gets the ending .bak, .bak2, ... first. Returns a warning about it, or
+  /// an empty text. Throws FileError if another program is writing it.
+  std::string save(const std::string& path, const Model& model,
+                   const output::Progress& progress);
   /// Returns `progress` with the present lengths of results and listing.
   output::Progress here(output::Progress progress);
   /// Writes the last frame, closing table, checkpoint and summary. If the same deck
@@ -75,7 +81,8 @@ class RunFiles {
   std::string step_aside(const std::string& path);
   static bool continues(const std::string& name, const output::CheckpointInfo& from,
                         long listing_bytes, const std::string& checkpoint);
-  void checkpoint_at(const Model& model, const output::Progress& progress, Kept kept);
+  void checkpoint_at(const std::string& path, const Model& model,
+                     const output::Progress& progress, Kept kept);
 
   std::string name_;
   output::RunIdentity identity_;

@@ -31,6 +31,8 @@ Model full_model() {
   model.settings.gravity_ramp = {{1, 2}, 0.0, 4.0};
   model.settings.local_damping = 0.5;
   model.settings.kinetic_damping = true;
+  model.settings.mass_scaling = true;
+  model.blocks.scale = Eigen::Vector2d(2.0, 0.5);
   model.last_kinetic_energy = 2.0;
   model.settings.merge_ratio = *geometry::Decimal::parse("0.2");
   model.loads.function = {{0, 1}, {1, 0}};
@@ -40,6 +42,7 @@ Model full_model() {
   model.output = {0.5, 1.0};
   model.plots = {0.25, 0.75};
   model.plot_times = {0.125, 0.5};
+  model.plot_steps = {10, 0};
   model.history = {0.125, {"ke", "y:2"}};
   model.output_blocks = {0, 1};
   model.order = {1, 0};

@@ -71,11 +71,13 @@ TEST(Summary, TellsWhetherAllSolveCardsHaveConverged) {
   EXPECT_EQ(written(true)["converged"], true);
   EXPECT_EQ(written(false)["converged"], false);
   EXPECT_EQ(written({})["converged"], true);  // a deck that continues this run
-  model.solves.push_back({14, 1e-5, 2e-5, 200, 1.5, false, 3.0, 1, 1e-3, 0.5, 1});
+  model.solves.push_back(
+      {14, 1e-5, 2e-5, 200, 1.5, false, 3.0, 1, 1e-3, 0.5, 1, 1e-4, 0.5, 3.0});
   const json summary = written(true);
   EXPECT_EQ(summary["converged"], false);
   EXPECT_EQ(summary["solves"][0]["largest_unbalanced"], nullptr);
   EXPECT_EQ(summary["solves"][0]["local_block"], nullptr);
+  EXPECT_EQ(summary["solves"][0]["mass_scaling"], nullptr);
   EXPECT_EQ(summary["solves"][1],
             json({{"line", 14},
                   {"ratio", 1e-5},
@@ -86,6 +88,8 @@ TEST(Summary, TellsWhetherAllSolveCardsHaveConverged) {
                   {"local", 1e-3},
                   {"reached_local", 0.5},
                   {"local_block", 2},
+                  {"time_step", 1e-4},
+                  {"mass_scaling", {{"least", 0.5}, {"largest", 3.0}}},
                   {"largest_unbalanced", {{"block", 2}, {"force", 3.0}}}}));
 }
 

@@ -89,6 +89,8 @@ const RuleCase cases[] = {
      "GRAVITY: gravity rises during 81, and the deck ends 0.1 after this card\n",
      rigid(square + "GRAVITY, 0, -9,81\n" + end),
      rigid(square + "GRAVITY, 0, -9.8, 1\nMOTION, 1.5\n")},
+    {"idle-mscale", "MSCALE: masses are scaled only during SOLVE, and none follows\n",
+     rigid(square + "MSCALE\n" + end), rigid(square + "LOCDAMP\nMSCALE\nSOLVE\n")},
     {"no-motion", "the deck has no MOTION, CYCLE or SOLVE", rigid(square),
      rigid(square + end)},
 };

@@ -14,10 +14,11 @@ inline double damping_against_fixed(const Settings& settings, double mass) {
   return settings.damping * 2.0 * std::sqrt(settings.normal_stiffness * mass);
 }
 
-/// Returns C for two blocks, m = m1 m2 / (m1 + m2). At least one of them is free.
+/// Returns C for two blocks, m = m1 m2 / (m1 + m2), with their inertial masses. At
+/// least one of them is free.
 inline double contact_damping(const Settings& settings, const Blocks& blocks, int a,
                               int b) {
-  const double ma = blocks.mass[a], mb = blocks.mass[b];
+  const double ma = blocks.inertial_mass(a), mb = blocks.inertial_mass(b);
   const double mass = !blocks.is_free(a)   ? mb
                       : !blocks.is_free(b) ? ma
                                            : ma * mb / (ma + mb);

@@ -2,6 +2,7 @@
 // each instruction set, in a namespace of its own.
 #include "dynamics/kernels/corner_motion_body.hpp"
 #include "dynamics/kernels/free_lanes_body.hpp"
+#include "dynamics/kernels/inertial_mass_body.hpp"
 #include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/kernels/simd.hpp"
 
@@ -21,7 +22,7 @@ BLOCKS_INLINE Pack damp_strain(const BlockColumns& blocks, const LocalDamping& d
                                Mask free, int b, Lanes lanes) {
   const Pack area = load(blocks.area + b, lanes);
   const Point l = extents(blocks, b, lanes);
-  const Pack mass_per_area = 0.25 * load(blocks.mass + b, lanes) / area;
+  const Pack mass_per_area = 0.25 * inertial_mass(blocks, b, lanes) / area;
   const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
   const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
   const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
@@ -52,14 +53,17 @@ BLOCKS_INLINE Pack damp_velocities(const BlockColumns& blocks,
       force / twice(mass) + everywhere(damping.gravity_x, damping.gravity_y)));
   const Pack speed = root(squared_norm(velocity));
   const Mask moves = free & (speed > 0.0);
-  const Points loss = twice(damping.alpha_dt * acceleration / speed);
+  const Pack slowing = scaled(blocks, acceleration, b, lanes);
+  const Points loss = twice(damping.alpha_dt * slowing / speed);
   const Points slower = {velocity.part[0] - loss.part[0] * velocity.part[0],
                          velocity.part[1] - loss.part[1] * velocity.part[1]};
   store_columns(blocks.velocity, b, lanes, select(moves, slower, velocity));
 
   const Pack moment = absolute(load(blocks.moment + b, lanes));
   const Pack spin = load(blocks.spin + b, lanes);
-  const Pack slows = damping.alpha_dt * (moment / load(blocks.inertia + b, lanes));
+  const Pack turning =
+      scaled(blocks, moment / load(blocks.inertia + b, lanes), b, lanes);
+  const Pack slows = damping.alpha_dt * turning;
   const Mask turns = free & (spin != 0.0);
   store(blocks.spin + b, lanes, turns ? spin - (spin > 0.0 ? slows : -slows) : spin);
   const Pack work = moves ? damping.alpha_dt * mass * acceleration * speed : Pack{};

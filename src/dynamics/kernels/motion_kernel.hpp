@@ -14,6 +14,7 @@ struct BlockColumns {
   const int* first_corner;
   const Fixity* fixity;
   const double *area, *mass, *inertia, *force, *moment, *applied, *arm;
+  const double* scale;  ///< inertial mass over mass; null: 1
   double *corner, *centroid, *gradient, *angle, *velocity, *spin;
   double *stress, *strain_rate;
 };

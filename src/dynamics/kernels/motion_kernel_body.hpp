@@ -2,6 +2,7 @@
 // namespace of its own.
 #include "dynamics/kernels/corner_motion_body.hpp"
 #include "dynamics/kernels/free_lanes_body.hpp"
+#include "dynamics/kernels/inertial_mass_body.hpp"
 #include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/kernels/simd.hpp"
 
@@ -212,7 +213,7 @@ BLOCKS_INLINE void update_range(const BlockColumns& blocks, const Moduli& moduli
         // (10)
         const Point l = extents(blocks, b, lanes);
         const Pack mass_per_area =
-            0.25 * load(blocks.mass + b, lanes) / load(blocks.area + b, lanes);
+            0.25 * inertial_mass(blocks, b, lanes) / load(blocks.area + b, lanes);
         const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
         const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
         const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
@@ -250,10 +251,14 @@ void update_velocities(const BlockColumns& blocks, int first, int last,
         const Points velocity = load_columns<2>(blocks.velocity, b, lanes);
         store_columns(
             blocks.velocity, b, lanes,
-            select(free, velocity + kick * (force / mass + gravity), velocity));
+            select(free,
+                   velocity + kick * scaled(blocks, force / mass + gravity, b, lanes),
+                   velocity));
         const Pack moment = load(blocks.moment + b, lanes);
         const Pack spin = load(blocks.spin + b, lanes);
-        const Pack faster = spin + kick * (moment / load(blocks.inertia + b, lanes));
+        const Pack faster =
+            spin +
+            kick * scaled(blocks, moment / load(blocks.inertia + b, lanes), b, lanes);
         store(blocks.spin + b, lanes, free ? faster : spin);
       });
 }
