@@ -704,6 +704,18 @@ def test_damaged_outlines(tmp_path, files, name, damage, words):
         results[0].to_geojson()
 
 
+@pytest.mark.parametrize("name", ["BLOCKS/steps", "VTKHDF/Steps/Values"])
+@pytest.mark.parametrize("damage", [lambda old: old[..., None], lambda old: old[:0], lambda old: old.astype("S8")])
+def test_damaged_times(tmp_path, files, name, damage):
+    path = shutil.copy(files["stack"], tmp_path / "damaged.vtkhdf")
+    with h5py.File(path, "r+") as file:
+        old = file[name][()]
+        del file[name]
+        file[name] = damage(old)
+    with pytest.raises(FileError, match="it is damaged"):
+        read(path)
+
+
 def make_external(file, path, place):
     old = file[path]
     shape, dtype = old.shape, old.dtype

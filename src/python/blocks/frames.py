@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from . import _blocks, exports, notebooks, quantities
 from .dimensions import Units, unit_text
-from .results_file import frozen
+from .results_file import expected, frozen
 from .state_tables import contact_table, crack_count
 
 if TYPE_CHECKING:
@@ -87,9 +87,9 @@ class Frame:
             first = vtk["Steps/CellDataOffsets"][name][self.index]
             values = vtk["CellData"][name][first : first + blocks]
             shape = (blocks, _WIDTHS[name]) if name in _WIDTHS else (blocks,)
-            if first < 0 or values.shape != shape or values.dtype.kind not in "biuf":
-                raise ValueError(f"CellData/{name} has the wrong shape or type")
-            return values
+            if first < 0:
+                raise ValueError(f"CellDataOffsets/{name} is out of range")
+            return expected(f"CellData/{name}", values, shape, "biuf")
 
         self._arrays[name] = frozen(self.results._file.read(action))
         return self._arrays[name]
@@ -132,14 +132,10 @@ class Frame:
             if offsets is not None and offsets.shape[0] > i:
                 first = int(offsets[i])
                 joint = vtk["PointData/Joint"][first : first + points]
-            for name, values, shape, kinds in (
-                ("Points", corners, (points, 2), "f"),
-                ("Offsets", starts, (blocks + 1,), "iu"),
-                ("Connectivity", order, (ids,), "iu"),
-                ("PointData/Joint", joint, (points,), "iu"),
-            ):
-                if values.shape != shape or values.dtype.kind not in kinds:
-                    raise ValueError(f"{name} has the wrong shape or type")
+            expected("Points", corners, (points, 2), "f")
+            expected("Offsets", starts, (blocks + 1,), "iu")
+            expected("Connectivity", order, (ids,), "iu")
+            expected("PointData/Joint", joint, (points,), "iu")
             if starts[0] != 0 or starts[-1] != ids or (np.diff(starts) < 0).any():
                 raise ValueError("Offsets is out of range")
             if ((order < 0) | (order >= points)).any():

@@ -22,7 +22,7 @@ from .dimensions import Units
 from .errors import FileError
 from .frames import Frame
 from .histories import History, read_history
-from .results_file import ResultsFile, frozen, results_nearby, text_of
+from .results_file import ResultsFile, expected, frozen, results_nearby, text_of
 from .state_tables import crack_count, crack_table
 
 if TYPE_CHECKING:
@@ -92,8 +92,12 @@ class Results(Sequence[Frame]):
             self.units = Units(*names[:3]) if len(names) >= 3 else None
             lines = [line.partition(" ") for line in text_of(own, "materials").splitlines()]
             self.materials = {int(number): name for number, _, name in lines}
-            self.times: NDArray[np.float64] = frozen(steps["Values"][:frames])
-            self.steps: NDArray[np.integer] = frozen(own["steps"][:frames])
+            self.times: NDArray[np.float64] = frozen(
+                expected("Steps/Values", steps["Values"][:frames], (frames,), "f")
+            )
+            self.steps: NDArray[np.integer] = frozen(
+                expected("BLOCKS/steps", own["steps"][:frames], (frames,), "iu")
+            )
 
         self._file.known_frames = 1
         self._file.read(action)

@@ -262,6 +262,13 @@ def text_of(group: h5py.Group, name: str) -> str:
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
+def expected(name: str, values: NDArray[Any], shape: tuple[int, ...], kinds: str) -> NDArray[Any]:
+    """Returns values that were read. Raises ValueError if they have another shape or kind of type, as of NumPy."""
+    if values.shape != shape or values.dtype.kind not in kinds:
+        raise ValueError(f"{name} has the wrong shape or type")
+    return values
+
+
 def frozen(array: NDArray[Any]) -> NDArray[Any]:
     """Returns the array, which cannot be written to from now on."""
     array.flags.writeable = False
