@@ -4,24 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "dynamics/search/near_pairs.hpp"
 #include "dynamics/time_step.hpp"
 #include "model/safe_fraction.hpp"
 
 namespace blocks::dynamics {
 namespace {
-
-/// The corners of all blocks that are present, ascending in x.
-std::vector<int> corners_by_x(const Blocks& blocks) {
-  std::vector<int> sorted;
-  for (int c = 0; c < blocks.corners(); ++c)
-    if (!blocks.is_removed(blocks.corner_block[c]))
-      sorted.push_back(c);
-  std::sort(sorted.begin(), sorted.end(), [&](int l, int r) {
-    const double x = blocks.corner(0, l), other = blocks.corner(0, r);
-    return x < other || (x == other && l < r);
-  });
-  return sorted;
-}
 
 /// Returns the squared distance of a point from the side that begins at corner c.
 double distance_from_side(const Blocks& blocks, int c, const Vec2& point) {
@@ -74,26 +62,21 @@ void count_time_from_here(Model& model) {
 }  // namespace
 
 Eigen::VectorXi possible_contacts(const Blocks& blocks, double tolerance) {
-  const std::vector<int> sorted = corners_by_x(blocks);
   Eigen::VectorXi counts = Eigen::VectorXi::Zero(blocks.size());
-  for (int b = 0; b < blocks.size(); ++b) {
+  for (int b = 0; b < blocks.size(); ++b)
+    if (blocks.is_free(b))
+      counts[b] = 2 * blocks.corners_of(b);
+  const auto count_corners = [&](int b, int other) {
     if (!blocks.is_free(b))
-      continue;
-    counts[b] = 2 * blocks.corners_of(b);
-    const auto own =
-        blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-    const Vec2 low = own.rowwise().minCoeff().array() - tolerance;
-    const Vec2 high = own.rowwise().maxCoeff().array() + tolerance;
-    auto at =
-        std::lower_bound(sorted.begin(), sorted.end(), low.x(),
-                         [&](int c, double x) { return blocks.corner(0, c) < x; });
-    for (; at != sorted.end() && blocks.corner(0, *at) <= high.x(); ++at) {
-      const Vec2 point = blocks.corner.col(*at);
-      if (blocks.corner_block[*at] != b && point.y() >= low.y() &&
-          point.y() <= high.y() && is_near_a_side(blocks, b, point, tolerance))
-        ++counts[b];
-    }
-  }
+      return;
+    for (int c = blocks.first_corner[other]; c < blocks.first_corner[other + 1]; ++c)
+      counts[b] += is_near_a_side(blocks, b, blocks.corner.col(c), tolerance);
+  };
+  NearSearch memory;
+  std::vector<NearPair> pairs;
+  find_near_pairs(blocks, tolerance, memory, pairs);
+  for (const auto& [low, high] : pairs)
+    count_corners(low, high), count_corners(high, low);
   return counts;
 }
 

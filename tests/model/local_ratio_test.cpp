@@ -43,8 +43,8 @@ TEST(LocalRatio, IsOneInFreeFallAndZeroForBlocksThatCannotFall) {
   EXPECT_EQ(balance.block, -1);
 }
 
-// The weight is 4 downwards, the contact pushes with 3 upwards, of which a dashpot has
-// 2, and the load with 2 to the side: the resultant is (2, -1), the sum 9.
+// A weight of 4 acts downwards, a contact force of 3 upwards, 2 of it from the dashpot,
+// and a load of 2 to the side. The resultant is (2, -1), and the sizes add up to 9.
 TEST(LocalRatio, CountsAllForcesWithTheirDashpots) {
   Model model = three_blocks();
   model.contacts = {{0, 4, 1.0, 0.0, 3.0, 0.0, 0.1}};  // blocks 1 and 2
