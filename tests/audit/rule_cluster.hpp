@@ -17,6 +17,16 @@ namespace blocks::testing {
 using ContactSet = std::vector<std::pair<int, int>>;  ///< corners and edges
 using Adjacency = std::vector<std::vector<int>>;
 
+/// Neighbours in the form that the contact rule needs.
+struct Listed {
+  const Adjacency& lists;
+  template <class Visit> void operator()(int block, const Visit& visit) const {
+    for (const int other : lists[block])
+      visit(other);
+  }
+  int count(int block) const { return static_cast<int>(lists[block].size()); }
+};
+
 /// The contact rule of the program.
 template <class Neighbours>
 using ProgramRule = dynamics::PairRule<dynamics::ExactPredicates, Neighbours>;
@@ -40,20 +50,18 @@ struct Cluster {
   Adjacency neighbours;
   dynamics::BlockParts cut;
 
-  /// Without a seed all pairs are in the list. The seed selects the order of the list
-  /// and the pairs that are missing. In some cases the blocks turn after they have been
-  /// cut, so that their corners are rounded again.
+  /// All pairs are in the list. The seed selects their order. In some cases the blocks
+  /// turn after they have been cut, so that their corners are rounded again.
   Cluster(const std::vector<NewBlock>& made, std::optional<std::uint64_t> seed) {
     blocks.append(made);
     cut.make(blocks);
     before = blocks;
     std::mt19937_64 random(seed.value_or(0));
     const auto one_in = [&](unsigned n) { return seed && random() % n == 0; };
-    const bool all = !one_in(4);
     neighbours.resize(made.size());
     for (int a = 0; a < blocks.size(); ++a)
       for (int b = 0; b < a; ++b)
-        if ((blocks.is_free(a) || blocks.is_free(b)) && (all || !one_in(6))) {
+        if ((blocks.is_free(a) || blocks.is_free(b))) {
           neighbours[a].push_back(b);
           neighbours[b].push_back(a);
         }
@@ -69,12 +77,9 @@ struct Cluster {
     }
   }
   ContactSet by_program(int a, int b) const {
-    const auto visit_all = [&](int block, const auto& visit) {
-      for (const int other : neighbours[block])
-        visit(other);
-    };
+    const Listed listed{neighbours};
     dynamics::PairScratch scratch;
-    ProgramRule<decltype(visit_all)> rule(blocks, cut, visit_all, scratch);
+    ProgramRule<Listed> rule(blocks, cut, listed, scratch);
     std::set<std::pair<int, int>> found;
     for (const dynamics::CornerOnEdge& contact : rule.decide(a, b))
       found.emplace(contact.corner, contact.edge);

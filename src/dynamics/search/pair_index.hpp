@@ -49,6 +49,9 @@ struct Neighbours {
   template <class Visit> void operator()(int block, const Visit& visit) const {
     index.neighbours.each(block, visit);
   }
+  int count(int block) const {
+    return index.neighbours.first[block + 1] - index.neighbours.first[block];
+  }
 };
 
 }  // namespace blocks::dynamics
