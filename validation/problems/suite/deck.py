@@ -28,7 +28,7 @@ def with_lines(text, **lines):
 FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
              "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
              "MOTION", "CYCLE", "STOP", "UNITS", "JOINT", "JPAIR", "BOND", "WALTON", "BARTON", "CUT",
-             "LOCDAMP", "KINDAMP", "SOLVE", "SERVO", "QUIET", "VORONOI", "HISTORY", "CRACK", "MDAMP"}
+             "LOCDAMP", "KINDAMP", "SOLVE", "FOS", "MSCALE", "SERVO", "QUIET", "VORONOI", "HISTORY", "CRACK", "MDAMP"}
 
 
 def turned(text, degrees, shift=(0.0, 0.0)):
