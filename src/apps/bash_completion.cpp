@@ -87,6 +87,7 @@ std::string completion_of(const CLI::Option& option) {
 std::string operands_of(const LeafCommand& command) {
   static const std::map<std::string, std::string> known = {
       {"run", "_blocks_files deck"},
+      {"fos", "_blocks_files deck"},
       {"check", "_blocks_files deck"},
       {"plot", "_blocks_files vtkhdf"},
       {"history", "_blocks_files vtkhdf"},

@@ -20,6 +20,7 @@
 #include "cracks_command.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "export_command.hpp"
+#include "fos_command.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "help_page.hpp"
 #include "history_command.hpp"
@@ -117,6 +118,42 @@ std::string tell_usage_fault(const CLI::App* app, const CLI::Error& error) {
                      error.what(), command);
 }
 
+/// The options of run and fos.
+void add_run_options(CLI::App& command, RunOptions& options,
+                     std::vector<std::string>& sets) {
+  add_deck_options(command, options, sets);
+  command
+      .add_option("-o,--output", options.output,
+                  "output NAME, or FOLDER/; a missing folder is created (default: the "
+                  "deck's name without extension, in this folder)")
+      ->type_name("NAME");
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "stop after this many seconds, exit 75")
+      ->check(blocks::apps::positive_number());
+  command
+      .add_option("--stop-after", options.stop_after,
+                  "stop after this many steps, exit 75")
+      ->check(CLI::Range(1L, std::numeric_limits<long>::max()));
+  command
+      .add_option("--checkpoint-every", options.checkpoint_every,
+                  "seconds between checkpoints (default: 600)")
+      ->check(blocks::apps::positive_number());
+  command
+      .add_option("-j,--threads", options.threads,
+                  "number of threads (default: all cores); does not change results")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option("--trials", options.trials_at_once,
+                  "trials of FOS that run at once (default: as many as threads); does "
+                  "not change results")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--profile", options.profile,
+                   "print at the end how long each part of the program took");
+  command.add_flag("--json", options.json,
+                   "print the summary as JSON instead of the table");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app("BLOCKS computes how jointed rock moves, as polygonal blocks in two "
                "dimensions. A deck of cards describes the problem.");
@@ -127,35 +164,20 @@ int dispatch(int argc, char** argv) {
   RunOptions options;
   std::vector<std::string> sets;
   auto* run = app.add_subcommand("run", "run a deck");
-  add_deck_options(*run, options, sets);
-  run->add_option("-o,--output", options.output,
-                  "output NAME, or FOLDER/; a missing folder is created (default: the "
-                  "deck's name without extension, in this folder)")
-      ->type_name("NAME");
+  add_run_options(*run, options, sets);
   run->add_option("--until", options.until,
                   "end the run at this time of the deck; with --restart, continue a "
                   "finished or stopped run to this later time")
       ->check(blocks::apps::positive_number());
-  run->add_option("--time-limit", options.time_limit,
-                  "stop after this many seconds, exit 75")
-      ->check(blocks::apps::positive_number());
-  run->add_option("--stop-after", options.stop_after,
-                  "stop after this many steps, exit 75")
-      ->check(CLI::Range(1L, std::numeric_limits<long>::max()));
-  run->add_option("--checkpoint-every", options.checkpoint_every,
-                  "seconds between checkpoints (default: 600)")
-      ->check(blocks::apps::positive_number());
-  run->add_option("-j,--threads", options.threads,
-                  "number of threads (default: all cores); does not change results")
-      ->check(CLI::Range(1, 1024));
-  run->add_flag("--profile", options.profile,
-                "print at the end how long each part of the program took");
   run->add_flag("--audit{100}", options.audit_every,
                 "check the contacts by exact brute force, every 100 steps or, with "
                 "--audit=N, every N; exit 4 if a decision is wrong")
       ->check(blocks::apps::whole_steps());
-  run->add_flag("--json", options.json,
-                "print the summary as JSON instead of the table");
+
+  blocks::apps::FosOptions fos_options;
+  auto* fos = app.add_subcommand("fos", "find the factor of safety of a deck");
+  add_run_options(*fos, options, sets);
+  blocks::apps::add_fos_options(*fos, fos_options);
 
   auto* check =
       app.add_subcommand("check", "check a deck and its blocks without running it");
@@ -248,6 +270,10 @@ int dispatch(int argc, char** argv) {
   if (*run) {
     blocks::apps::outlive_broken_pipes();
     return blocks::run::run_deck(options);
+  }
+  if (*fos) {
+    blocks::apps::outlive_broken_pipes();
+    return blocks::apps::find_factor_of_safety(options, fos_options);
   }
   if (*check)
     return blocks::apps::check(options, geometry_options);

@@ -9,6 +9,12 @@ const std::map<std::string, CommandPage>& command_pages() {
        {"blocks run decks/stack/stack.deck -o stack", "",
         "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results), "
         "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."}},
+      {"fos",
+       {"blocks fos decks/slope/slope.deck -o slope", "",
+        "Runs a deck that ends in equilibrium, and finds the factor of safety by "
+        "reduction of strength, as a FOS card behind its last card does. Writes the "
+        "files of a run, and those of the last stable and the first failing trial as "
+        "NAME.stable and NAME.failing."}},
       {"why",
        {"blocks why stack.vtkhdf --block 2 --block 3", run_stack,
         "Shows which corners of two blocks act on which edges: the axes in the order "

@@ -117,6 +117,17 @@ std::optional<Selection> selection(const Fields& f, const char* card,
   return out;
 }
 
+Maybe fos(const Fields& f, Diagnostics& diagnostics) {
+  if (f[3].given && f[4].given &&
+      !in_order(f[3], f[4], false, "FOS", "lower must be less than upper",
+                "the model should be stable with its strength / lower, and fail with "
+                "its strength / upper",
+                diagnostics))
+    return {};
+  return Fos{f[0].as_real(), f[1].as_real(), f[2].as_int(), f[3].as_real(),
+             f[4].as_real()};
+}
+
 /// Reads PLOTS, , n: a frame every n steps.
 Maybe plots_in_steps(const Fields& f, const Values& values, Diagnostics& diagnostics) {
   const char* hint = "PLOTS, dtplot sets an interval of time; PLOTS, , n a number of "
@@ -311,6 +322,7 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Solve{f[0].as_real(), f[1].as_int(), f[2].as_real()};
        }},
+      {"FOS", [](F f, V, D d) { return fos(f, d); }},
       {"SAVE", [](F f, V, D) -> Maybe { return Save{f[0].as_word()}; }},
       {"STOP", [](F, V, D) -> Maybe { return Stop{}; }},
   };

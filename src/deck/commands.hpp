@@ -267,6 +267,19 @@ struct Solve {  // not in the report
   /// The least nmax: equilibrium needs two successive tests.
   static constexpr long fewest_steps = 2 * test_interval;
 };
+struct Fos {  // not in the report
+  Real width, ratio;
+  Int ncycle = {};  ///< `given` is false if the response of the model tells
+  Real lower = {}, upper = {};
+
+  /// Returns the largest number of steps of a trial that is ever made.
+  long most_steps() const {
+    constexpr long unless_given = 200'000;
+    return ncycle.given ? ncycle.value : unless_given;
+  }
+  /// Returns the SOLVE card whose ratios a stable trial reaches.
+  Solve as_solve() const { return {ratio, {most_steps(), ncycle.where, true}}; }
+};
 struct Save {
   Word name;
 };  ///< not in the report
@@ -278,7 +291,8 @@ using Card =
                  Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn,
                  SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair, Bond, Drive,
                  Locdamp, Kindamp, Mscale, Insitu, Servo, Quiet, Crack, Mdamp, Dump,
-                 Output, Plots, History, Motion, Cycle, Solve, Save, Stop>;
+                 Output, Plots, History, Motion, Cycle, Solve, Fos, Save,
+                 Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword
@@ -286,11 +300,12 @@ struct Command {
   Card card;
 };
 
-/// Whether the card is MOTION, CYCLE or SOLVE.
+/// Whether the card is MOTION, CYCLE, SOLVE or FOS.
 inline bool passes_time(const Command& command) {
   return std::holds_alternative<Motion>(command.card) ||
          std::holds_alternative<Cycle>(command.card) ||
-         std::holds_alternative<Solve>(command.card);
+         std::holds_alternative<Solve>(command.card) ||
+         std::holds_alternative<Fos>(command.card);
 }
 
 /// A card with a fault. It is not among the commands.

@@ -9,6 +9,7 @@ namespace {
 constexpr Range off_or_on{0, 1, false, false, false};
 constexpr Range below_one{0, 1, false, true, false};
 constexpr Range ratio{0, 1, true, true, false};
+constexpr Range bracket_width{1e-9, infinity, false, false, false};
 constexpr Range two_tests{Solve::fewest_steps, infinity, false, false, false};
 
 }  // namespace
@@ -34,11 +35,12 @@ std::vector<CardSpec> rest_cards() {
        .example = "KINDAMP, 0"},
       {.name = "MSCALE",
        .section = "ours",
-       .summary = "scale masses during SOLVE, for statics",
+       .summary = "scale masses during SOLVE and FOS, for statics",
        .fields = {{"on", integer, "1", off_or_on, "[-]", "0 ends mass scaling"}},
-       .notes = "During SOLVE, the inertial masses of free blocks are such that all "
-                "have the same critical time step. Weights and forces stay as they "
-                "are. Outside SOLVE, blocks have their true masses.",
+       .notes =
+           "During SOLVE and FOS, the inertial masses of free blocks are such that all "
+           "have the same critical time step. Weights and forces stay as they "
+           "are. Outside SOLVE and FOS, blocks have their true masses.",
        .example = "MSCALE, 0"},
       {.name = "INSITU",
        .section = "ours",
@@ -97,6 +99,28 @@ std::vector<CardSpec> rest_cards() {
            "nmax steps do not reach them, there is a warning, and the deck continues. "
            "Needs damping: DAMPING, LOCDAMP or KINDAMP.",
        .example = "SOLVE, 1.D-5, 20000"},
+      {.name = "FOS",
+       .section = "ours",
+       .summary = "factor of safety by reduction of strength",
+       .fields = {{"width", real, ".01", bracket_width, "[-]",
+                   "wanted width of the bracket"},
+                  {"ratio", real, "1.D-5", ratio, "[-]",
+                   "of the unbalanced forces in a stable trial, as in SOLVE"},
+                  {"ncycle", integer, "", two_tests, "[-]",
+                   "largest number of steps of a trial; blank: 400 times the response "
+                   "of the model, 2000 to 200000"},
+                  {"lower", real, "", positive, "[-]",
+                   "factor at which the model is stable; blank: is looked for"},
+                  {"upper", real, "", positive, "[-]",
+                   "factor at which it fails; blank: is looked for"}},
+       .notes =
+           "Each trial starts from the present state, with the strength of all joints "
+           "divided by a factor: friction, cohesion and tension, FRICTN too. It is "
+           "stable if the forces balance and the fastest block slows down, failing if "
+           "that block gets faster and faster. The factor of safety is between the "
+           "largest stable factor and the smallest failing one. Afterwards the model "
+           "is as it was. Needs SOLVE or INSITU before it, and damping.",
+       .example = "FOS, .02, 1.D-4, 5000"},
       {.name = "SAVE",
        .section = "ours",
        .summary = "write a checkpoint under a name",

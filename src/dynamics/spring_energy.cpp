@@ -35,7 +35,8 @@ LawValues<double> SpringEnergies::values_of(int law) const {
           all.residual_friction[i], all.residual_cohesion[i], all.residual_tension[i],
           all.dilation[i],          all.dilation_limit[i],    all.unloading_ratio[i],
           all.roughness[i],         all.wall_strength[i],     all.residual_angle[i],
-          all.peak_slip[i],         all.largest_closure[i],   all.linear_from[i]};
+          all.peak_slip[i],         all.largest_closure[i],   all.linear_from[i],
+          all.strength_share[i]};
 }
 
 SpringEnergy SpringEnergies::of(int law, ContactState<double> state) const {

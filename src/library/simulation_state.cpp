@@ -17,6 +17,8 @@
 #include "run/convergence.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
+#include "run/safety_report.hpp"
+#include "run/safety_search.hpp"
 #include "run/saved_state.hpp"
 #include "run/soundness.hpp"
 
@@ -161,8 +163,10 @@ void Simulation::State::execute_on(Model& on, const deck::Deck& deck,
       step(run::steps_for(motion->dt.value, on.time_step.dt), true);
     else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
       step(cycle->ncycle.value, true);
+    else if (const auto* solving = std::get_if<deck::Solve>(&command.card))
+      solve(*solving, command.where.line);
     else
-      solve(std::get<deck::Solve>(command.card), command.where.line);
+      factor_of_safety(std::get<deck::Fos>(command.card), command.where.line);
   }
   if (in_place && !said.has_errors() && on.blocks.size() > judged &&
       on.blocks.count_present() > 0)
@@ -219,6 +223,33 @@ void Simulation::State::solve(const deck::Solve& card, int line) {
   }
   if (const SolveRecord& solve = model.solves.back(); !solve.converged)
     warnings.push_back(run::solve_warning(solve, model.settings));
+}
+
+void Simulation::State::factor_of_safety(const deck::Fos& card, int line) {
+  const int threads = work.workers->threads();
+  const run::GiveUp never = [] { return false; };
+  stepper.up_to_date();
+  model.safety_factors.push_back(run::begin_search(card, line));
+  const Model base = run::state_before_last(model);
+  SafetyFactor& record = model.safety_factors.back();
+  try {
+    static_cast<void>(run::set_limits(record, base, card, threads, never));
+    run::SafetySearch search(base, record, card.as_solve(), threads, threads, never);
+    while (auto made = search.next(run::trials_of_last(model), hooks.after_step)) {
+      made->trial.search = static_cast<int>(model.safety_factors.size()) - 1;
+      model.safety_trials.push_back(made->trial);
+    }
+  } catch (...) {
+    std::erase_if(model.safety_trials, [&](const SafetyTrial& trial) {
+      return trial.search + 1 == static_cast<int>(model.safety_factors.size());
+    });
+    model.safety_factors.pop_back();
+    throw;
+  }
+  record.complete = true;
+  if (const std::string doubt = run::safety_warning(record, run::trials_of_last(model));
+      !doubt.empty())
+    warnings.push_back(doubt);
 }
 
 void Simulation::State::must_be_sound() const {

@@ -39,6 +39,8 @@ struct Simulation::State {
   void step(long count, bool read);
   /// Makes the steps of a SOLVE card, as a run does.
   void solve(const deck::Solve& card, int line);
+  /// Makes the trials of a FOS card, as a run does. The blocks stay as they are.
+  void factor_of_safety(const deck::Fos& card, int line);
   /// Throws UnsoundRun if an earlier step was unsound.
   void must_be_sound() const;
   /// Throws std::logic_error if the contacts of the last step are not known.

@@ -36,6 +36,8 @@ struct JointLaw {
   double initial_stiffness = 0.0;  ///< [F/L^3] kni, normal stiffness without load
   double largest_closure = 0.0;    ///< [L] vm
   double largest_stiffness = 0.0;  ///< [F/L^3] knmax
+  /// part of its shear strength that acts; less than 1 in trials of FOS
+  double strength_share = 1.0;
 
   bool operator==(const JointLaw&) const = default;
 };

@@ -11,6 +11,7 @@
 #include "model/energy.hpp"
 #include "model/kept_decisions.hpp"
 #include "model/loads.hpp"
+#include "model/safety_factor.hpp"
 #include "model/settings.hpp"
 
 namespace blocks {
@@ -156,6 +157,8 @@ struct Model {
   /// that a motion goes on with.
   KeptDecisions kept;
   std::vector<SolveRecord> solves;
+  std::vector<SafetyFactor> safety_factors;  ///< one for each FOS card
+  std::vector<SafetyTrial> safety_trials;    ///< ascending in search, as made
   std::vector<CrackRecord> cracks;           ///< in the order in which blocks split
   std::vector<RefusedCrack> crack_refusals;  ///< ascending in block and reason
   /// [F L] kinetic energy before the last step; 0 if that stopped the blocks; only with

@@ -38,6 +38,7 @@ void expect_law(int id, const JointLaw& law) {
   expect_value("shear_stiffness", law.shear_stiffness, not_negative);
   expect_value("restitution", law.restitution,
                {0.0, 1.0, "a number above 0, up to 1", true});
+  expect_value("strength_share", law.strength_share, positive);
   constexpr Range zero{0.0, 0.0, "0"};
   const bool is_rough = law.kind == LawKind::barton;
   if (law.kind != LawKind::coulomb) {

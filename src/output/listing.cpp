@@ -145,6 +145,18 @@ void Listing::closing(const Model& model) {
            << (solve.converged ? "yes" : "no") << "\n"
            << scaling_text(solve);
   }
+  if (!model.safety_trials.empty()) {
+    out_ << heading("FOS (trials with the strength of joints divided by a factor)")
+         << over_whole("card") << over_number("factor") << "    outcome  "
+         << over_whole("steps") << over_number("ratio") << over_number("local")
+         << over_whole("fastest") << over_number("speed") << over_number("moved")
+         << "\n";
+    for (const SafetyTrial& trial : model.safety_trials)
+      out_ << whole(trial.search + 1) << number(trial.factor)
+           << fmt::format("    {:<9}", describe(trial.outcome)) << whole(trial.steps)
+           << number(trial.ratio) << number(trial.local) << whole(trial.block + 1)
+           << number(trial.speed) << number(trial.moved) << "\n";
+  }
   if (model.energy.kept) {
     out_ << heading("ENERGY");
     for (const quantities::EnergyQuantity& one : quantities::energy_quantities())

@@ -21,7 +21,8 @@ void visit_laws(L& laws, P& pairs, Archive& ar) {
     auto& [kind, friction, cohesion, tension, residual_friction, residual_cohesion,
            residual_tension, dilation, dilation_limit, normal_stiffness,
            shear_stiffness, restitution, roughness, wall_strength, residual_angle,
-           peak_slip, initial_stiffness, largest_closure, largest_stiffness] = law;
+           peak_slip, initial_stiffness, largest_closure, largest_stiffness, strength_share] =
+        law;
     column("id", id);
     column("kind", kind);
     column("friction", friction);
@@ -42,6 +43,7 @@ void visit_laws(L& laws, P& pairs, Archive& ar) {
     column("initial_stiffness", initial_stiffness);
     column("largest_closure", largest_closure);
     column("largest_stiffness", largest_stiffness);
+    column("strength_share", strength_share);
   });
   ar.materials("settings/joint_of_materials", pairs,
                [](auto& column, auto& pair, auto& id) {
@@ -274,12 +276,39 @@ void visit_cracks(C& cracks, R& refusals, Archive& ar) {
   });
 }
 
+template <class F, class T, class Archive>
+void visit_safety(F& factors, T& trials, Archive& ar) {
+  ar.records("safety_factors", factors, [](auto& column, auto& card) {
+    auto& [line, width, lower, upper, response, most_steps, complete] = card;
+    column("line", line);
+    column("width", width);
+    column("lower", lower);
+    column("upper", upper);
+    column("response", response);
+    column("most_steps", most_steps);
+    column("complete", complete);
+  });
+  ar.records("safety_trials", trials, [](auto& column, auto& trial) {
+    auto& [search, factor, outcome, steps, ratio, local, speed, block, moved] = trial;
+    column("search", search);
+    column("factor", factor);
+    column("outcome", outcome);
+    column("steps", steps);
+    column("ratio", ratio);
+    column("local", local);
+    column("speed", speed);
+    column("block", block);
+    column("moved", moved);
+  });
+}
+
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts, loads,
          drives, servos, time_step, search, output, plots, plot_times, plot_steps,
          history, output_blocks, order, exits, merges, layers, cuts, joint_lengths,
          steps, time, time_origin, step_origin, started, worst_overlap, energy, kept,
-         solves, cracks, crack_refusals, last_kinetic_energy] = model;
+         solves, safety_factors, safety_trials, cracks, crack_refusals,
+         last_kinetic_energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -423,6 +452,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("least_scale", least_scale);
     column("largest_scale", largest_scale);
   });
+  visit_safety(safety_factors, safety_trials, ar);
   visit_cracks(cracks, crack_refusals, ar);
   ar("last_kinetic_energy", last_kinetic_energy);
 }

@@ -256,6 +256,38 @@ Json solves(const Model& model) {
   return list;
 }
 
+Json trial_json(const SafetyTrial& trial) {
+  return {{"factor", trial.factor},
+          {"outcome", describe(trial.outcome)},
+          {"steps", trial.steps},
+          {"ratio", trial.ratio},
+          {"local", trial.local},
+          {"fastest_block", trial.block < 0 ? Json() : Json(trial.block + 1)},
+          {"speed", trial.speed},
+          {"moved", trial.moved}};
+}
+
+/// The result of one FOS card. A missing end of its bracket is null.
+Json factor_of_safety(const Model& model, std::size_t search) {
+  const SafetyFactor& card = model.safety_factors[search];
+  std::vector<SafetyTrial> trials;
+  Json list = Json::array();
+  for (const SafetyTrial& trial : model.safety_trials)
+    if (trial.search == static_cast<int>(search)) {
+      trials.push_back(trial);
+      list.push_back(trial_json(trial));
+    }
+  const SafetyBracket bracket = bracket_of(trials);
+  return {{"line", card.line},
+          {"lower", bracket.stable ? Json(*bracket.stable) : Json()},
+          {"upper", bracket.failing ? Json(*bracket.failing) : Json()},
+          {"width", card.width},
+          {"complete", card.complete},
+          {"response_steps", card.response},
+          {"most_steps", card.most_steps},
+          {"trials", list}};
+}
+
 bool all_converged(const std::vector<SolveRecord>& solves) {
   return std::all_of(solves.begin(), solves.end(),
                      [](const SolveRecord& solve) { return solve.converged; });
@@ -318,6 +350,11 @@ void write_summary(const std::string& path, const Model& model,
     json["converged"] = report.solved.value_or(true) && all_converged(model.solves);
     json["solves"] = solves(model);
   }
+  if (!model.safety_factors.empty())
+    json["factor_of_safety"] = factor_of_safety(model, model.safety_factors.size() - 1);
+  if (model.safety_factors.size() > 1)
+    for (std::size_t i = 0; i < model.safety_factors.size(); ++i)
+      json["factors_of_safety"].push_back(factor_of_safety(model, i));
   if (model.energy.kept)
     for (const quantities::EnergyQuantity& one : quantities::energy_quantities())
       json["energy"][one.name] = one.value(model.energy);

@@ -82,6 +82,25 @@ void bind_simulation(py::module_& module) {
                                    solve.wanted_local, solve.local_block));
     return solves;
   });
+  value("_factors_of_safety", [](DrivenModel& self) {
+    const Model& model = self.model();
+    py::list found;
+    for (int search = 0; search < static_cast<int>(model.safety_factors.size());
+         ++search) {
+      py::list trials;
+      std::vector<SafetyTrial> own;
+      for (const SafetyTrial& trial : model.safety_trials)
+        if (trial.search == search) {
+          own.push_back(trial);
+          trials.append(py::make_tuple(trial.factor, describe(trial.outcome),
+                                       trial.steps, trial.ratio, trial.local,
+                                       trial.speed, trial.block, trial.moved));
+        }
+      const SafetyBracket bracket = bracket_of(own);
+      found.append(py::make_tuple(bracket.stable, bracket.failing, trials));
+    }
+    return found;
+  });
   value("unbalanced_ratio",
         [](DrivenModel& self) { return self.simulation().unbalanced_ratio(); });
   simulation.def("__len__",

@@ -262,7 +262,10 @@ struct Builder::Visitor {
   void operator()(const deck::Mscale& card) {
     settings.mass_scaling = card.on.value != 0;
   }
-  void operator()(const deck::Insitu& card) { self.load_in_situ(command, card); }
+  void operator()(const deck::Insitu& card) {
+    self.balanced_ = true;
+    self.load_in_situ(command, card);
+  }
   void operator()(const deck::Servo& card) { self.servo(command, card); }
   void operator()(const deck::Quiet& card) { self.make_quiet(command, card); }
   void operator()(const deck::Crack& card) { self.let_crack(command, card); }
@@ -304,9 +307,15 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Dump&) {}
   void operator()(const deck::Save&) {}
+  void operator()(const deck::Fos&) {
+    self.check_damping(command);
+    self.check_equilibrium(command);
+    pass_time();
+  }
   void operator()(const deck::Motion&) { pass_time(); }
   void operator()(const deck::Cycle&) { pass_time(); }
   void operator()(const deck::Solve&) {
+    self.balanced_ = true;
     self.check_damping(command);
     pass_time();
   }
@@ -353,6 +362,12 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
   stretch_ = static_cast<std::size_t>(
       std::count_if(cards.begin(), cards.begin() + static_cast<std::ptrdiff_t>(next),
                     deck::passes_time));
+  balanced_ =
+      std::any_of(cards.begin(), cards.begin() + static_cast<std::ptrdiff_t>(next),
+                  [](const Command& command) {
+                    return std::holds_alternative<deck::Solve>(command.card) ||
+                           std::holds_alternative<deck::Insitu>(command.card);
+                  });
   AssemblyCertificate told;
   told.blocks = told.moved = model_.blocks.size();
   told.removed = told.blocks - model_.blocks.count_present();

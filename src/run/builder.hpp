@@ -212,6 +212,8 @@ class Builder {
   void check_fraction(const deck::Command& command);
   /// Warns at a SOLVE card if nothing damps the motion.
   void check_damping(const deck::Command& solve);
+  /// Reports a FOS card before which no SOLVE or INSITU has balanced the forces.
+  void check_equilibrium(const deck::Command& fos);
   void check_steps(const deck::Command& command);
   void check_history_blocks(const deck::Command& command);
   /// The number of corners of the block with this number; the largest number of all if
@@ -228,6 +230,7 @@ class Builder {
   std::size_t unread_counted_ = 0;  ///< cards not read whose blocks are counted
   int certain_blocks_;              ///< blocks whose numbers are sure
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
+  bool balanced_ = false;    ///< there was a SOLVE or INSITU card
   std::size_t stretch_ = 0;  ///< index of the section between motions
   /// The blocks are where they will be when the next card acts. This is false after a
   /// motion that made no steps.

@@ -84,6 +84,15 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
          "put fixed blocks there instead of SPLANE, or PRESSBC on these sides");
 }
 
+void Builder::check_equilibrium(const Command& fos) {
+  if (balanced_ || model_.settings.in_situ || !model_.solves.empty() ||
+      unread_.has("SOLVE") || unread_.has("INSITU"))
+    return;
+  diagnostics_.error(fos.where, fos.name,
+                     "no SOLVE or INSITU before it has balanced the forces",
+                     "put SOLVE before it; trials start from a state of equilibrium");
+}
+
 void Builder::servo(const Command& command, const deck::Servo& card) {
   const int b = block_to_drive(command, card.nb);
   if (b < 0)

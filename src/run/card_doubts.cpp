@@ -119,7 +119,8 @@ std::vector<Doubt> doubt_ramp(const Plan& plan) {
     for (auto next = card + 1; next != plan.cards.end() && !replaced; ++next) {
       passes = passes || deck::passes_time(*next);
       replaced = std::holds_alternative<deck::Gravity>(next->card);
-      solves = solves || std::holds_alternative<deck::Solve>(next->card);
+      solves = solves || std::holds_alternative<deck::Solve>(next->card) ||
+               std::holds_alternative<deck::Fos>(next->card);
       if (const auto* motion = std::get_if<deck::Motion>(&next->card))
         left += motion->dt.value;
       else if (const auto* cycle = std::get_if<deck::Cycle>(&next->card))
@@ -146,10 +147,11 @@ std::vector<Doubt> doubt_scaling(const Plan& plan) {
     if (scaling == nullptr || scaling->on.value == 0)
       continue;
     const bool acts = std::any_of(card, plan.cards.end(), [](const auto& next) {
-      return std::holds_alternative<deck::Solve>(next.card);
+      return std::holds_alternative<deck::Solve>(next.card) ||
+             std::holds_alternative<deck::Fos>(next.card);
     });
     if (!acts)
-      doubts.push_back({"masses are scaled only during SOLVE, and none follows",
+      doubts.push_back({"masses are scaled only during SOLVE and FOS, and none follows",
                         "time has no meaning with scaled masses, so MOTION and CYCLE "
                         "never scale them",
                         card->where, card->name});

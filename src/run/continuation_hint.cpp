@@ -10,13 +10,15 @@ namespace blocks::run {
 
 std::string continuation_command(const RunOptions& options,
                                  const std::string& checkpoint, bool with_until) {
-  std::string command =
-      "blocks run " + shell_word(options.deck) + " --restart " + shell_word(checkpoint);
+  std::string command = (options.last_card.empty() ? "blocks run " : "blocks fos ") +
+                        shell_word(options.deck) + " --restart " +
+                        shell_word(checkpoint);
   if (!options.output.empty())
     command += " -o " + shell_word(options.output);
   for (const deck::Override& set : options.overrides)
     command +=
         " --set " + shell_word(fmt::format("{}.{}={}", set.card, set.field, set.value));
+  command += options.last_card_options;
   if (options.seed)
     command += fmt::format(" --seed {}", *options.seed);
   if (options.tape9 != RunOptions().tape9)

@@ -132,6 +132,10 @@ void Executor::end_card() {
   const SolveRecord solve = solving_->record(model, solve_line_);
   model_.solves.push_back(solve);
   dynamics::end_mass_scaling(model_);
+  {
+    const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
+    files_.frame(model_);
+  }
   if (!solve.converged)
     return warn(solve_warning(solve, model_.settings));
   files_.message(solve_line(solve));
@@ -212,6 +216,7 @@ Outcome Executor::march(long steps) {
   const long last = std::min(steps, steps_to_end());
   const long rows = 10, row_every = std::max(1L, (last + rows - 1) / rows);
   progress_.steps_left = steps;
+  changed_ = changed_ && last == 0;
   if (good_state_due(0.0))
     keep_good_state();
   else if (!keeps_good_states() && (good_ || !saved_once_))

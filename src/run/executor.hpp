@@ -15,6 +15,7 @@
 #include "run/motion_watch.hpp"
 #include "run/run.hpp"
 #include "run/run_files.hpp"
+#include "run/safety_trial.hpp"
 
 namespace blocks::run {
 
@@ -45,6 +46,9 @@ class Executor {
   /// Makes the steps of a SOLVE card until the forces are balanced, and records how it
   /// ended in Model::solves. `line` is that of the card.
   Outcome solve(const deck::Solve& card, int line);
+  /// Makes the trials of a FOS card, which leave the model as it is, and records them
+  /// in Model::safety_trials. `line` is that of the card.
+  Outcome factor_of_safety(const deck::Fos& card, int line);
   /// Steps that remain to the time of --until; without it, the largest number.
   long steps_to_end() const;
 
@@ -70,6 +74,10 @@ class Executor {
   void set_overlaps(const std::vector<geometry::BlockOverlap>& overlaps) {
     progress_.overlaps = overlaps;
   }
+  /// Registers that a card has changed the model.
+  void card_has_acted() { changed_ = true; }
+  /// Whether the model differs from the frame of its step, if there is one.
+  bool has_changed() const { return changed_; }
   /// The current position of the run, for checkpoints.
   output::Progress progress() const;
   /// After an unsound run, writes the last good state that was kept. Returns its step,
@@ -106,6 +114,12 @@ class Executor {
   void crack();
   void warn(const std::string& message);
   Outcome pressed_for_time();
+  void tell_trials_remain() const;
+  /// The ending of the files of a trial: "stable" or "failing", with the number of the
+  /// FOS card if it is not the first one.
+  std::string name_of_state(TrialOutcome outcome) const;
+  /// Writes the files of the state of a trial that bounds the factor of safety now.
+  void keep_trial(const Model& base, const TrialResult& made);
   bool keeps_good_states() const;
   void keep_good_state();
   void save_checkpoint();
@@ -133,6 +147,7 @@ class Executor {
   std::optional<Convergence> solving_;  ///< of the SOLVE card whose steps are made
   int solve_line_ = 0;
   bool echoed_ = false, started_moving_ = false;
+  bool changed_ = false;  ///< by a card since the last step
   double share_from_ = 0.0, share_to_ = 1.0;
   double half_depth_ = 0.0;  ///< [L] half the least depth of a convex block
   long steps_made_ = 0;      ///< since the program started

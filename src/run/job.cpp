@@ -31,6 +31,8 @@ Job::Job(const RunOptions& given)
   auto& commands = deck.commands;
   if (!commands.empty() && std::holds_alternative<deck::Stop>(commands.back().card))
     --end;
+  if (!options.last_card.empty())
+    add_last_card();
   if (!options.until)
     return;
   const auto where =
@@ -38,6 +40,20 @@ Job::Job(const RunOptions& given)
   // The run ends at the time of --until, so this interval is always long enough.
   commands.insert(commands.begin() + static_cast<std::ptrdiff_t>(end),
                   {where, "MOTION", deck::Motion{{*options.until, where, true}}});
+}
+
+void Job::add_last_card() {
+  const auto where = diagnostics.from_command_line(options.last_card);
+  deck::Diagnostics said("", options.last_card);
+  for (deck::Command& card :
+       deck::parse_further("", options.last_card, said).commands) {
+    card.where = where;
+    deck.commands.insert(deck.commands.begin() + static_cast<std::ptrdiff_t>(end),
+                         card);
+    ++end;
+  }
+  for (const deck::Diagnostic& one : said.all())
+    diagnostics.error(where, one.card, one.message, one.hint);
 }
 
 bool Job::passes_time_from(std::size_t command) const {
@@ -52,6 +68,7 @@ bool Job::asks_for_equilibrium() const {
       deck.commands.begin(), deck.commands.end(), [](const deck::Command& command) {
         const auto* history = std::get_if<deck::History>(&command.card);
         return std::holds_alternative<deck::Solve>(command.card) ||
+               std::holds_alternative<deck::Fos>(command.card) ||
                std::holds_alternative<deck::Locdamp>(command.card) ||
                std::holds_alternative<deck::Kindamp>(command.card) ||
                (history != nullptr &&
@@ -123,6 +140,8 @@ std::string Job::overrides() const {
   std::string lines;
   for (const deck::Override& set : options.overrides)
     lines += fmt::format("{}.{}={}\n", set.card, set.field, set.value);
+  if (!options.last_card.empty())
+    lines += options.last_card + '\n';
   return lines;
 }
 

@@ -71,6 +71,8 @@ struct Job {
   ExitCode fault = deck_error;    ///< exit code of a failed check
 
  private:
+  /// Adds the card of RunOptions::last_card before STOP.
+  void add_last_card();
   bool is_in_deck() const;
   /// Whether the checkpoint's run had begun the card of --until.
   bool was_extended() const;

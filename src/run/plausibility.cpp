@@ -40,7 +40,7 @@ constexpr PlausibilityRule rules[] = {
      "add BOND, or give equal residual values", Moment::end, false, doubt_strength},
     {"endless-ramp", "the deck ends before the ramp of a GRAVITY card does",
      "let the deck last longer, or shorten tramp", Moment::end, false, doubt_ramp},
-    {"idle-mscale", "no SOLVE follows MSCALE", "add SOLVE, or leave MSCALE out",
+    {"idle-mscale", "no SOLVE or FOS follows MSCALE", "add SOLVE, or leave MSCALE out",
      Moment::end, false, doubt_scaling},
     {"no-motion", "a new deck has no MOTION, CYCLE or SOLVE", "add one", Moment::end,
      false, doubt_motion},

@@ -145,6 +145,14 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
   return tell_new(said, before, executor);
 }
 
+/// Whether the card may change the model by itself, without steps.
+bool changes_model(const deck::Command& command) {
+  return !deck::passes_time(command) &&
+         !std::holds_alternative<deck::Save>(command.card) &&
+         !std::holds_alternative<deck::Dump>(command.card) &&
+         !std::holds_alternative<deck::Stop>(command.card);
+}
+
 /// Runs the deck. Returns an ExitCode.
 int execute(Job& job, Console& console, const std::vector<std::string>& warnings) {
   const auto began = std::chrono::steady_clock::now();
@@ -211,6 +219,8 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       const Profile::Timer timer(executor.profile(), Profile::building);
       const std::size_t before = said.all().size();
       builder.apply(command);
+      if (changes_model(command))
+        executor.card_has_acted();
       // A card that acts on blocks in motion may find others than the check did.
       tell_new(said, before, executor, job.diagnostics.all());
     }
@@ -242,6 +252,8 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       outcome = executor.cycle(cycle->ncycle.value);
     else if (const auto* solve = std::get_if<deck::Solve>(&command.card))
       outcome = executor.solve(*solve, command.where.line);
+    else if (const auto* fos = std::get_if<deck::Fos>(&command.card))
+      outcome = executor.factor_of_safety(*fos, command.where.line);
     else if (std::holds_alternative<deck::Dump>(command.card))
       executor.dump();
     else if (const auto* save = std::get_if<deck::Save>(&command.card))
@@ -279,7 +291,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     const Profile::Timer timer(executor.profile(), Profile::output);
     if (outcome == Outcome::unsound)
       good = executor.save_good_state();
-    files.close(model, report, progress);
+    files.close(model, report, progress, executor.has_changed());
   }
   console.note(fmt::format("{} after {}, t {:g}, in {:.2f} s: {}, {}, {}{}",
                            report.status, counted(model.steps, "step"), model.time,

@@ -36,11 +36,14 @@ struct RunOptions {
   std::optional<std::string> restart;  ///< checkpoint of a RESTART deck
   std::string tape9 = "tape9";
   std::vector<deck::Override> overrides;
+  std::string last_card;            ///< added behind the last card; may be empty
+  std::string last_card_options;    ///< of blocks fos, which give that card
   std::optional<double> until;      ///< [T] > 0, time of the deck at which the run ends
   double time_limit = 0.0;          ///< wall-clock seconds; 0 means no limit
   long stop_after = 0;              ///< steps of this run; 0 means no limit
   double checkpoint_every = 600.0;  ///< wall-clock seconds
   int threads = 0;                  ///< 0 means as many as the machine has
+  int trials_at_once = 0;           ///< of FOS; 0: as many as threads
   long audit_every = 0;             ///< steps between audits; 0 means none
   bool profile = false;             ///< print where the time went
   bool driven = false;              ///< a program makes the steps: no MOTION is needed

@@ -212,6 +212,7 @@ RunFiles RunFiles::resumed(const std::string& name, const output::RunIdentity& i
   RunFiles files(name, identity, {from.progress.frames, from.progress.listing_bytes},
                  from.progress.samples);
   files.tabled_step_ = from.progress.tabled_step;
+  files.resumed_ = true;
   return files;
 }
 
@@ -269,6 +270,40 @@ std::string RunFiles::save(const std::string& path, const Model& model,
   return warning;
 }
 
+std::string RunFiles::keep_state(const std::string& ending, const std::string& what,
+                                 const Model& before, const Model& after,
+                                 const output::Progress& progress) {
+  const std::string name = name_ + "." + ending;
+  const output::NameLock lock(name, name + ".vtkhdf");
+  RunFiles files(name, identity_);
+  const std::string older = files.older_.ending;
+  files.results().include_unbalanced();
+  files.message(what);
+  files.input_echo(after);
+  files.frame(before);
+  files.close(after, {}, progress);
+  const bool is_own = !kept_.insert(ending).second || resumed_;
+  if (is_own && files.put_aside().empty())
+    for (const char* kind : endings) {
+      std::error_code ignored;  // an older file that stays does no harm
+      std::filesystem::remove(name + kind + older, ignored);
+    }
+  return files.put_aside();
+}
+
+std::string RunFiles::move_state_aside(const std::string& ending) {
+  const std::string name = name_ + "." + ending, results = name + ".vtkhdf";
+  if (!exists(results))
+    return {};
+  const output::NameLock lock(name, results);
+  const std::string older = free_ending(name, identity_);
+  const std::string warning = foreign(results, identity_, older);
+  for (const char* kind : endings)
+    if (exists(name + kind))
+      output::move_file(name + kind, name + kind + older);
+  return warning;
+}
+
 void RunFiles::checkpoint_at(const std::string& path, const Model& model,
                              const output::Progress& progress, Kept kept) {
   // The files that a checkpoint refers to must be on disk before it is.
@@ -283,9 +318,10 @@ void RunFiles::checkpoint_at(const std::string& path, const Model& model,
 }
 
 void RunFiles::close(const Model& model, output::RunReport report,
-                     const output::Progress& progress) {
+                     const output::Progress& progress, bool changed) {
   const output::Progress stopped = here(progress);
-  frame(model);
+  results_->write(model, changed);
+  older_.paths.clear();
   results_->flush_history();
   table(model);
   listing_.closing(model);

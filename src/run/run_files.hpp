@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,12 +57,23 @@ class RunFiles {
   /// an empty text. Throws FileError if another program is writing it.
   std::string save(const std::string& path, const Model& model,
                    const output::Progress& progress);
+  /// Writes the files NAME.ENDING.vtkhdf, .out, .ckpt.h5 and .summary.json with the
+  /// frames of two states. Files that this run wrote with this ending are replaced;
+  /// others are kept as those of a run are. `what` is for the listing. Returns a
+  /// warning about older files, or an empty text.
+  std::string keep_state(const std::string& ending, const std::string& what,
+                         const Model& before, const Model& after,
+                         const output::Progress& progress);
+  /// Renames files with this ending that an earlier run has left, as those of a run
+  /// are. Returns a warning if they are of another deck, or an empty text.
+  std::string move_state_aside(const std::string& ending);
   /// Returns `progress` with the present lengths of results and listing.
   output::Progress here(output::Progress progress);
   /// Writes the last frame, closing table, checkpoint and summary. If the same deck
-  /// resumes from this checkpoint, the frame and the table are discarded.
+  /// resumes from this checkpoint, the frame and the table are discarded. A frame of
+  /// this step that is there already is the last one unless the model has `changed`.
   void close(const Model& model, output::RunReport report,
-             const output::Progress& progress);
+             const output::Progress& progress, bool changed = false);
 
   /// Describes the older files that were renamed if they belong to another deck;
   /// otherwise empty.
@@ -100,6 +112,8 @@ class RunFiles {
   std::unique_ptr<output::ResultsWriter> results_;
   output::Listing listing_;
   long tabled_step_ = -1;
+  bool resumed_ = false;        ///< it is the run of the files themselves
+  std::set<std::string> kept_;  ///< endings of keep_state()
 };
 
 }  // namespace blocks::run

@@ -136,23 +136,28 @@ def check_departures(source, program):
 
 def check_tutorial(source, program):
     """Decks are written, commands and Python run, and what is shown was printed."""
+    return [fault for page in ("tutorial", "stability")
+            for fault in faults_of_tutorial(source / f"docs/{page}.md", program)]
+
+
+def faults_of_tutorial(page, program):
     environment = {**os.environ, "PATH": f"{program.parent}:{os.environ['PATH']}"}
     printed, faults, kinds = "", [], set()
     with tempfile.TemporaryDirectory() as folder:
-        for kind, name, text in FENCE.findall((source / "docs/tutorial.md").read_text()):
+        for kind, name, text in FENCE.findall(page.read_text()):
             kinds.add(kind)
             if kind == "deck":
                 Path(folder, name).write_text(text)
                 continue
             if kind == "text":
-                faults += [f"not printed: {line}" for line in missing_lines(text, printed)]
+                faults += [f"{page}: not printed: {line}" for line in missing_lines(text, printed)]
                 continue
             command = {"sh": ["sh", "-e", "-c", text], "python": [sys.executable, "-c", text]}[kind]
             done = subprocess.run(command, cwd=folder, env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
             printed = done.stdout
             if done.returncode:
-                return [*faults, f"exit code {done.returncode}:\n{text}{printed}"]
+                return [*faults, f"{page}: exit code {done.returncode}:\n{text}{printed}"]
     assert kinds == {"deck", "sh", "text", "python"}, kinds
     return faults
 
@@ -180,7 +185,7 @@ $EndElements
 def check_examples(source, program):
     """The example of every card runs: all of them one below the other, as they stand on
     the page; then RESTART goes on. The stress of INSITU does not fit these blocks, and the
-    blocks do not come to rest in the steps of SOLVE, so these cards warn."""
+    blocks do not come to rest in the steps of SOLVE, so these cards and FOS warn."""
     page = (source / "docs/cards.md").read_text()
     sections = re.findall(r"^### (\w+)\n(.*?)(?=^##)", page, re.M | re.S)
     examples = {name: re.search(r"^Example:\n\n```\n(.*?)^```$", text, re.M | re.S)[1] for name, text in sections}
@@ -198,7 +203,7 @@ def check_examples(source, program):
         steps = 0
         for deck in ("crater.deck", "on.deck"):
             done = subprocess.run([program, "run", deck], cwd=folder, text=True, capture_output=True)
-            warned = set(re.findall(r"warning: (\w+)", done.stderr)) - {"INSITU", "SOLVE"}
+            warned = set(re.findall(r"warning: (\w+)", done.stderr)) - {"INSITU", "SOLVE", "FOS"}
             if done.returncode or warned:
                 return [*faults, f"{deck}: exit code {done.returncode}\n{done.stderr}\n{whole}"]
             summary = json.loads(Path(folder, deck.replace("deck", "summary.json")).read_text())

@@ -489,3 +489,30 @@ def test_pieces_have_no_displacement(decks):
         sim.step(200)
     assert len(sim) > count
     assert np.isnan(sim.displacement[count:]).all() and np.isfinite(sim.displacement[:count]).all()
+
+
+def test_fos_is_that_of_a_run(tmp_path):
+    """A square on a floor, under gravity inclined by 20 degrees, with friction 30 degrees."""
+    deck = (
+        "START, 9, 9\nBLOCK ON A PLANE\nXLIMITS, -9, 9\nYLIMITS, -9, 9\nBOXES, 4, 4, .02\nSTIFF, 1.E7, 1.E7\nFRACTION\n"
+        "MATERIAL, 1, 1.E9, 4.E8, 1000\nRIGID\nEND\nCREATE, 4, 1, 1\n-5, -5, 5, 5\n-1, 0, 0, -1\n"
+        "CREATE, 4, 1\n0, 0, 1, 1\n0, 1, 1, 0\nGRAVITY, 3.355218, -9.218385\nFRICTN, .57735026919\nLOCDAMP\nSOLVE\n"
+    )
+    known = np.tan(np.radians(30)) / np.tan(np.radians(20))
+    sim = blocks.Simulation(deck, threads=2)
+    place, steps = sim.centroid.copy(), sim.steps
+    found = sim.fos(0.01)
+    assert found.lower < known < found.upper <= found.lower + 0.01
+    assert [trial.outcome for trial in found.trials[:2]] == ["stable", "failing"]
+    assert found.trials[1].moved > found.trials[0].moved and found.trials[1].block == 1
+    np.testing.assert_array_equal(sim.centroid, place)
+    assert sim.steps == steps and not sim.warnings
+    run = blocks.run(blocks.Deck(deck + "FOS, .01\nSTOP\n"), tmp_path / "a")
+    told = run.summary["factor_of_safety"]
+    assert (told["lower"], told["upper"]) == found[:2]
+    assert [trial["steps"] for trial in told["trials"]] == [trial.steps for trial in found.trials]
+    below = sim.fos(lower=2.0)
+    assert below.lower is None and below.upper == 2.0 and "lower bound" in sim.warnings[-1]
+    assert sim.factors_of_safety == [found, below]
+    with pytest.raises(blocks.DeckError, match="no SOLVE or INSITU"):
+        blocks.Simulation(deck.replace("SOLVE\n", "")).fos()

@@ -60,6 +60,25 @@ TEST(SaveCard, LetsItsOwnDeckGoOn) {
   }
 }
 
+// Results have the equilibrium of each stage, and the final state once.
+TEST(Frames, AreWrittenAtTheEndOfEachSolve) {
+  const TemporaryFolder folder;
+  const std::string stages =
+      brick + "SOLVE, 1.E-4\nFRICTN, .4\nCYCLE, 5\nSOLVE, 1.E-4\n";
+  run_text(folder, "a", stages + "SAVE, end\nSTOP\n");
+  const auto solves = summary(folder, "a")["solves"];
+  const long first = solves[0]["steps"], last = summary(folder, "a")["steps"];
+  EXPECT_THAT(steps_of(folder, "a"), ElementsAre(0, first, last));
+  run_text(folder, "b", stages + "SETVEL, 2, , 1., 0.\nSTOP\n");
+  EXPECT_THAT(steps_of(folder, "b"), ElementsAre(0, first, last, last));
+  // They are the same after a restart between both.
+  folder.write("c.deck", stages + "SAVE, end\nSTOP\n");
+  const std::string part = std::to_string(first + 2);
+  ASSERT_EQ(blocks("run c.deck --stop-after " + part, folder.path()).code, 75);
+  ASSERT_EQ(blocks("run c.deck --restart c.ckpt.h5", folder.path()).code, 0);
+  EXPECT_EQ(steps_of(folder, "c"), steps_of(folder, "a"));
+}
+
 TEST(SaveCard, IsBesideTheOtherFilesOfTheRun) {
   const TemporaryFolder folder;
   run_text(folder, "a", brick + "CYCLE, 5\nSAVE, rest\nSTOP\n", "-o out/x");

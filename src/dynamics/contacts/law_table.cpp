@@ -61,7 +61,7 @@ void LawTable::make(const Settings& settings, const Blocks& blocks) {
   for (const auto& [id, law] : laws_)
     all.push_back(law);
   numbers_.clear();
-  constexpr std::size_t columns = 18;
+  constexpr std::size_t columns = 19;
   numbers_.reserve(columns * all.size());
   const auto column = [&](const auto& value) {
     const double* const begin = numbers_.data() + numbers_.size();
@@ -91,6 +91,7 @@ void LawTable::make(const Settings& settings, const Blocks& blocks) {
   values.peak_slip = member(&JointLaw::peak_slip);
   values.largest_closure = member(&JointLaw::largest_closure);
   values.linear_from = column(linear_from);
+  values.strength_share = member(&JointLaw::strength_share);
   columns_.normal_stiffness = column(stiffness_of);
   columns_.shear_stiffness = member(&JointLaw::shear_stiffness);
   columns_.bit =

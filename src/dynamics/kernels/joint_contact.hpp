@@ -17,6 +17,8 @@ template <class Number> struct LawValues {
   Number roughness, wall_strength, residual_angle, peak_slip;
   /// Bandis: vm [L]; vm (1 - sqrt(kni / knmax)) [L], where the tangent reaches knmax
   Number largest_closure, linear_from;
+  /// Barton: JointLaw::strength_share
+  Number strength_share;
 };
 
 /// How the two blocks move at a contact in this step.

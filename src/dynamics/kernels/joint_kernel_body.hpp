@@ -100,7 +100,8 @@ BLOCKS_INLINE LawValues<Pack> values_of(const LawColumns& laws, const int* law,
           at(of.residual_friction), at(of.residual_cohesion), at(of.residual_tension),
           at(of.dilation),          at(of.dilation_limit),    at(of.unloading_ratio),
           at(of.roughness),         at(of.wall_strength),     at(of.residual_angle),
-          at(of.peak_slip),         at(of.largest_closure),   at(of.linear_from)};
+          at(of.peak_slip),         at(of.largest_closure),   at(of.linear_from),
+          at(of.strength_share)};
 }
 
 BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, int i) {

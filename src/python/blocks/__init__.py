@@ -24,16 +24,16 @@ from .deck import Deck
 from .errors import BlocksError, DeckError, DeckWarning, FileError, NotReadError, RunWarning, UnsoundRun
 from .results import Frame, History, Results, read
 from .running import Run, run
-from .simulation import Simulation, Solution
+from .simulation import FactorOfSafety, Simulation, Solution, Trial
 from .simulation_cards import SimulationCards
 from .studies import study, study_scenes, study_variants
 from .sweeps import Sweep, sweep
 
 __all__ = [
-    "Assembly", "BlocksError", "Deck", "DeckError", "DeckWarning", "Diagnostic", "FileError", "Frame",
-    "History", "NotReadError", "Results", "Run", "RunWarning", "Simulation", "SimulationCards", "Solution",
-    "Sweep", "UnsoundRun", "__version__", "card_table", "check", "joints", "layers", "predicates", "read", "run",
-    "study", "study_scenes", "study_variants", "sweep",
+    "Assembly", "BlocksError", "Deck", "DeckError", "DeckWarning", "Diagnostic", "FactorOfSafety", "FileError",
+    "Frame", "History", "NotReadError", "Results", "Run", "RunWarning", "Simulation", "SimulationCards", "Solution",
+    "Sweep", "Trial", "UnsoundRun", "__version__", "card_table", "check", "joints", "layers", "predicates", "read",
+    "run", "study", "study_scenes", "study_variants", "sweep",
 ]
 
 

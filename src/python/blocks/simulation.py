@@ -31,6 +31,27 @@ class Solution(NamedTuple):
     block: int  #: that has the largest local ratio, from 0; -1: none
 
 
+class Trial(NamedTuple):
+    """A run of the model with the strength of its joints divided by a factor."""
+
+    factor: float  #: by which the strength was divided
+    outcome: str  #: "stable", "failing" or "undecided"
+    steps: int  #: made
+    ratio: float  #: of the unbalanced forces at the end
+    local: float  #: largest local ratio of a block at the end
+    speed: float  #: [L/T] of the fastest block at the end
+    block: int  #: that block, from 0; -1: none
+    moved: float  #: [L] by the centroid that moved farthest
+
+
+class FactorOfSafety(NamedTuple):
+    """The bracket of a factor of safety, both ends proved by a trial."""
+
+    lower: float | None  #: largest factor with which the model was stable; None: none
+    upper: float | None  #: smallest factor above it with which it was failing; None: none
+    trials: list[Trial]  #: in the order in which they were needed
+
+
 class Simulation(_blocks.Simulation):
     """A model that the calling program advances step by step, with the same bits as `blocks run`.
 
@@ -150,6 +171,40 @@ class Simulation(_blocks.Simulation):
         given = () if local is None else (float(local),)
         self.cards.solve(float(ratio), whole(nmax, "nmax", 1), *given)
         return self.solutions[-1]
+
+    def fos(
+        self,
+        width: float = 0.01,
+        ratio: float = 1e-5,
+        ncycle: int | None = None,
+        lower: float | None = None,
+        upper: float | None = None,
+    ) -> FactorOfSafety:
+        """Finds the factor of safety by reduction of strength (FOS). The blocks stay where they are.
+
+        Args:
+            width: wanted width of the bracket.
+            ratio: of the unbalanced forces in a stable trial, as in `solve`.
+            ncycle: largest number of steps of a trial; None: 400 times the response of the model.
+            lower: factor at which the model is stable; None: is looked for.
+            upper: factor at which it fails; None: is looked for.
+
+        Raises:
+            DeckError: if a value is not possible, or nothing has balanced the forces before.
+        """
+        given = [float(width), float(ratio)]
+        given += [None if ncycle is None else whole(ncycle, "ncycle", 1)]
+        given += [None if bound is None else float(bound) for bound in (lower, upper)]
+        self._execute("FOS, " + ", ".join("" if value is None else repr(value) for value in given))
+        return self.factors_of_safety[-1]
+
+    @property
+    def factors_of_safety(self) -> list[FactorOfSafety]:
+        """The result of each FOS so far, those of cards included."""
+        return [
+            FactorOfSafety(lower, upper, [Trial(*trial) for trial in trials])
+            for lower, upper, trials in self._factors_of_safety
+        ]
 
     @property
     def solutions(self) -> list[Solution]:

@@ -1,0 +1,65 @@
+// One trial of a FOS card: the model with reduced strength, run until it is known
+// whether it stands (docs/stability.md#a-trial).
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "deck/commands.hpp"
+#include "model/model.hpp"
+#include "model/safety_factor.hpp"
+
+namespace blocks::run {
+
+/// Whether to give up: asked between two steps, by several threads at once.
+using GiveUp = std::function<bool()>;
+
+/// Follows the speed of the fastest block during a trial.
+class Growth {
+ public:
+  /// Records the speed at the next test, [L/T].
+  void add(double speed) {
+    speeds_.push_back(speed);
+    sums_.push_back(sums_.back() + speed);
+  }
+  /// Whether the speed now is at most that at a quarter of the tests so far.
+  bool has_slowed_down() const;
+  /// Whether the mean speed is at least `factor` times as large in each of three parts
+  /// of the tests so far as in the part before: from an eighth to a quarter, to a half,
+  /// and to the end. Under a constant force it doubles. A single burst grows once only.
+  bool grows_by(double factor) const;
+
+ private:
+  double mean(std::size_t begin, std::size_t end) const;
+
+  std::vector<double> speeds_;
+  std::vector<double> sums_ = {0.0};  ///< of all speeds before each
+};
+
+struct TrialResult {
+  SafetyTrial trial;
+  Model state;  ///< at the end, with the reduced strength
+  bool given_up = false;
+};
+
+/// Returns the number of steps in which the model forgets a disturbance. A copy with a
+/// thousand times the strength gets small velocities in all directions; the number is
+/// that of the steps in which they fall to a twentieth, at least 50 and at most `most`.
+/// It ends earlier if the speed grows steadily, because then the model is not at rest.
+/// The model must be prepared (dynamics::prepare).
+long response_steps(const Model& base, long most, int threads, const GiveUp& give_up);
+
+/// Runs a copy of the model with its strength divided by `factor`, and judges it every
+/// Solve::test_interval steps:
+/// - stable: the forces are balanced as SOLVE wants it, and the fastest block is not
+///   faster than at a quarter of the steps;
+/// - failing: the motion goes on for 30 responses, so that the speed falls by at most a
+///   fifth from part to part (Growth); or it grows by half from part to part, for at
+///   least two responses, and a block has moved by a twentieth of its size, the root of
+///   its area; or a block has left the domain. Motion with a local ratio below a
+///   thousandth of the wanted one is rounding;
+/// - undecided: neither after `card.most_steps`, or the model has become unsound.
+TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card,
+                      const deck::Solve& wanted, int threads, const GiveUp& give_up);
+
+}  // namespace blocks::run
