@@ -29,16 +29,31 @@ CLI::Validator positive_number() {
           "POSITIVE"};
 }
 
+namespace {
+
+bool is_whole_number_above_0(const std::string& text) {
+  return !text.empty() && text.size() <= 15 && text.front() != '0' &&
+         text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
 CLI::Validator whole_steps() {
   return {[](std::string& text) {
-            const bool sound =
-                !text.empty() && text.size() <= 15 && text.front() != '0' &&
-                text.find_first_not_of("0123456789") == std::string::npos;
-            return sound
+            return is_whole_number_above_0(text)
                        ? std::string()
                        : "expected a number of steps, 1 or more, found '" + text + "'";
           },
           "STEPS"};
+}
+
+CLI::Validator whole_count() {
+  return {[](std::string& text) {
+            return is_whole_number_above_0(text)
+                       ? std::string()
+                       : "expected a whole number, 1 or more, found '" + text + "'";
+          },
+          "COUNT"};
 }
 
 }  // namespace blocks::apps

@@ -16,4 +16,7 @@ CLI::Validator positive_number();
 /// message gives a range of doubles.
 CLI::Validator whole_steps();
 
+/// Accepts a whole number from 1.
+CLI::Validator whole_count();
+
 }  // namespace blocks::apps

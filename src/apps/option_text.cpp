@@ -41,6 +41,7 @@ const std::map<std::string, std::string> value_words = {
     {"sbatch", "OPTIONS"},
     {"set", "CARD.FIELD=VALUE"},
     {"size", "SIZE"},
+    {"sobol", "CARD.FIELD=LOW..HIGH"},
     {"table", "FILE"},
     {"sshloginfile", "FILE"},
     {"tape9", "FILE"},

@@ -85,7 +85,8 @@ void write_new_plan(const std::string& folder, const sweep::Plan& plan) {
 bool has_new_parameters(const SweepOptions& options) {
   const sweep::Request& request = options.request;
   return !request.seeds.empty() || !request.sets.empty() || !request.table.empty() ||
-         request.until || request.audit_every > 0 || options.check || options.study ||
+         !request.sobol.empty() || request.rows > 0 || request.until ||
+         request.audit_every > 0 || options.check || options.study ||
          !request.variants.empty() || !options.output.empty();
 }
 
@@ -120,8 +121,10 @@ void expect_used(const SweepOptions& options) {
   expect(!engine.sbatch.empty(), "--sbatch", engine.name == "slurm", "--engine slurm");
   expect(engine.pack.has_value(), "--pack", engine.name != "local",
          "--engine parallel or --engine slurm");
-  if (!fs::is_directory(options.words.front()))
-    expect(!options.request.variants.empty(), "--variants", options.study, "--study");
+  if (fs::is_directory(options.words.front()))
+    return;
+  expect(options.request.rows > 0, "-n", !options.request.sobol.empty(), "--sobol");
+  expect(!options.request.variants.empty(), "--variants", options.study, "--study");
 }
 
 int tell_status(const std::string& folder) {
@@ -190,6 +193,15 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
       ->take_all();
   command.add_option("--table", request.table,
                      "CSV with one run per line; its columns are seed or CARD.field");
+  command.add_option(
+      "--sobol", request.sobol,
+      "CARD.field=low..high,CARD.field=low..high: runs for the first-order and total "
+      "Sobol indices of up to 8 uniformly distributed parameters, which 'blocks "
+      "report' computes; N (k + 2) runs for k parameters");
+  command
+      .add_option("-n,--rows", request.rows,
+                  "number N of rows of the design of --sobol, best a power of 2")
+      ->check(whole_count());
   command.add_option("--until", request.until, "end the runs at this time of the deck")
       ->check(positive_number());
   command

@@ -9,13 +9,6 @@
 namespace blocks::sweep {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  return begin == std::string::npos
-             ? std::string()
-             : text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
 std::uint64_t parse_seed(const std::string& text) {
   const std::string word = trimmed(text);
   std::uint64_t seed = 0;
@@ -62,12 +55,6 @@ bool is_same_value(const std::string& a, const std::string& b) {
   return a == b || (is_number(a, x) && is_number(b, y) && x == y);
 }
 
-bool is_field(const std::string& name) {
-  const auto dot = name.find('.');
-  return dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
-         name.find_first_of("= \t\n") == std::string::npos;
-}
-
 /// The rows of a CSV text: fields in double quotes may have commas and line ends.
 std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
   std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
@@ -103,6 +90,19 @@ bool is_empty(const std::vector<std::string>& row) {
 }
 
 }  // namespace
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(" \t\r");
+  return begin == std::string::npos
+             ? std::string()
+             : text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+bool is_field(const std::string& name) {
+  const auto dot = name.find('.');
+  return dot != std::string::npos && dot > 0 && dot + 1 < name.size() &&
+         name.find_first_of("= \t\n") == std::string::npos;
+}
 
 std::vector<std::uint64_t> parse_seeds(const std::string& text) {
   std::vector<std::uint64_t> seeds;
@@ -254,6 +254,8 @@ std::vector<Variation> combine(const std::vector<Variation>& rows,
 }
 
 std::string field_of(const std::string& set) { return set.substr(0, set.find('=')); }
+
+std::string value_of(const std::string& set) { return set.substr(set.find('=') + 1); }
 
 std::string words_of(const Variation& run) {
   std::string words = run.seed ? fmt::format("seed {}", *run.seed) : std::string();

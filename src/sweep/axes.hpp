@@ -34,6 +34,12 @@ struct Axis {
   std::vector<std::string> values;  ///< as written, at least one, all different
 };
 
+/// Returns the text without spaces at its ends.
+std::string trimmed(const std::string& text);
+
+/// Whether a name has the form CARD.field.
+bool is_field(const std::string& name);
+
 /// Reads seeds: "1-200,250". Throws AxisFault unless they are whole numbers from 0 to
 /// 2^53 - 1, all different, at most most_runs of them.
 std::vector<std::uint64_t> parse_seeds(const std::string& text);
@@ -55,6 +61,9 @@ std::vector<Variation> combine(const std::vector<Variation>& rows,
 
 /// Returns the name of the field of "CARD.field=value".
 std::string field_of(const std::string& set);
+
+/// Returns the value of "CARD.field=value".
+std::string value_of(const std::string& set);
 
 /// Returns the values of a run in one line: "seed 7, FRICTN.fric=.3". Empty if it has
 /// none.

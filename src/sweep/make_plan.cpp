@@ -55,6 +55,47 @@ std::vector<Variation> runs_of(const Request& request) {
   return combine(rows, axes, seeds);
 }
 
+/// Returns what all runs of a Sobol design have. Throws AxisFault if runs are to differ
+/// by anything else.
+Variation common_of(const Request& request) {
+  if (!request.table.empty())
+    throw AxisFault("--table and --sobol are two ways to choose the runs",
+                    "give one of them");
+  Request others = request;
+  others.sobol.clear();
+  const std::vector<Variation> runs = runs_of(others);
+  if (runs.size() > 1)
+    throw AxisFault("with --sobol, --set and --seeds take one value each",
+                    "name further parameters in --sobol, or make a sweep for each "
+                    "value");
+  return runs.front();
+}
+
+SobolDesign design_of(const Request& request, const Variation& common) {
+  SobolDesign design;
+  expect_utf8("the text of --sobol", request.sobol);
+  design.ranges = parse_sobol(request.sobol);
+  if (request.rows < 2)
+    throw AxisFault(request.rows == 0 ? "--sobol needs the number of its rows, -n"
+                                      : "one row is too few for Sobol indices",
+                    "for example -n 256; a power of 2 is best");
+  design.rows = request.rows;
+  design.seed = common.seed.value_or(0);
+  return design;
+}
+
+/// Sets the runs, and returns those with which the deck is to be parsed first.
+std::vector<Variation> choose_runs(const Request& request, Plan& plan) {
+  if (request.sobol.empty()) {
+    plan.runs = runs_of(request);
+    return plan.runs;
+  }
+  const Variation common = common_of(request);
+  plan.sobol = design_of(request, common);
+  plan.runs = sobol_runs(*plan.sobol, common);
+  return sobol_corners(*plan.sobol, common);
+}
+
 std::vector<std::string> axes_of(const Variation& run) {
   std::vector<std::string> axes;
   if (run.seed)
@@ -66,9 +107,10 @@ std::vector<std::string> axes_of(const Variation& run) {
 
 /// Parses the deck once with each value that some run sets, and prints the errors of
 /// the first one that has any. Returns whether there were none.
-bool can_set_all(const Plan& plan, const std::string& text) {
+bool can_set_all(const Plan& plan, const std::string& text,
+                 const std::vector<Variation>& runs) {
   std::set<std::string> known;
-  for (const Variation& run : plan.runs) {
+  for (const Variation& run : runs) {
     std::vector<std::string> fresh;
     std::copy_if(run.sets.begin(), run.sets.end(), std::back_inserter(fresh),
                  [&](const std::string& set) { return !known.contains(set); });
@@ -141,9 +183,9 @@ Plan make_plan(const Request& request, int& code) {
   plan.numerics = numerics();
   plan.until = request.until;
   plan.audit_every = request.audit_every;
-  plan.runs = runs_of(request);
+  const std::vector<Variation> tried = choose_runs(request, plan);
   plan.axes = axes_of(plan.runs.front());
-  if (!can_set_all(plan, text)) {
+  if (!can_set_all(plan, text, tried)) {
     code = run::deck_error;
     return plan;
   }

@@ -14,9 +14,12 @@ struct Request {
   std::string deck;   ///< path of the deck; of a study: scenes, "a,b" or "all"
   std::string seeds;  ///< "1-200,250"; empty: the seed of the deck
   std::vector<std::string> sets;  ///< "CARD.field=value,value"
-  std::string table;              ///< path of a CSV of parameters; may be empty
-  std::optional<double> until;    ///< [T]
-  long audit_every = 0;           ///< steps; 0: no audit
+  /// "CARD.field=low..high,...": a design for Sobol indices; may be empty
+  std::string sobol;
+  std::size_t rows = 0;         ///< of that design; 0: not given
+  std::string table;            ///< path of a CSV of parameters; may be empty
+  std::optional<double> until;  ///< [T]
+  long audit_every = 0;         ///< steps; 0: no audit
   Kind kind = Kind::run;
   std::vector<std::string> variants;  ///< of a study; empty: all
 };

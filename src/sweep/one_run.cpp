@@ -15,6 +15,7 @@
 #include "sweep/layer_measures.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/run_log.hpp"
+#include "sweep/safety_outcome.hpp"
 #include "sweep/study_outcome.hpp"
 
 namespace blocks::sweep {
@@ -123,6 +124,8 @@ int run(const std::string& run_folder, const Plan& plan, const Variation& run,
   const int code = run_the_deck(plan, run, files, choice);
   if (const Json layers = files.layers(); layers.is_object())
     measured["layers"] = layers;
+  if (Json safety = safety_outcome(files.name() + ".summary.json"); !safety.is_null())
+    measured["factor_of_safety"] = std::move(safety);
   return code;
 }
 

@@ -11,7 +11,8 @@ struct Outcome {
   int code = 0;         ///< exit code of the run; 128 + signal if it crashed
   std::string status;   ///< "done", "deck error", "unsound", "time limit", ...
   std::string message;  ///< the first error; empty if there was none
-  /// What was measured: "layers" (layer_measures.hpp) or "study" (study_outcome.hpp).
+  /// What was measured: "layers" (layer_measures.hpp), "study" (study_outcome.hpp),
+  /// "factor_of_safety" (safety_outcome.hpp).
   nlohmann::ordered_json measured = nlohmann::ordered_json::object();
 };
 

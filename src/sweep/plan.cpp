@@ -55,14 +55,38 @@ Variation variation_of(const Json& json, Kind kind) {
   return run;
 }
 
+Json json_of(const SobolDesign& design) {
+  Json ranges = Json::array();
+  for (const SobolRange& one : design.ranges)
+    ranges.push_back({{"field", one.field}, {"low", one.low}, {"high", one.high}});
+  return {{"rows", design.rows}, {"seed", design.seed}, {"ranges", ranges}};
+}
+
+SobolDesign design_of(const Json& json) {
+  SobolDesign design;
+  design.rows = whole_number(json, "rows", most_runs);
+  design.seed = whole_number(json, "seed", largest_seed);
+  for (const Json& one : json.at("ranges"))
+    design.ranges.push_back({one.at("field").get<std::string>(),
+                             one.at("low").get<double>(),
+                             one.at("high").get<double>()});
+  if (design.rows < 2 || design.ranges.empty() ||
+      design.ranges.size() > most_sobol_parameters)
+    throw std::runtime_error("\"sobol\" is no design");
+  return design;
+}
+
 Json head_of(const Plan& plan) {
-  return {
+  Json head = {
       {"blocks_sweep", plan_form}, {"kind", plan.kind},
       {"deck", plan.deck},         {"deck_hash", plan.deck_hash},
       {"version", plan.version},   {"numerics", plan.numerics},
       {"name", plan.name},         {"until", plan.until ? Json(*plan.until) : Json()},
       {"audit", plan.audit_every}, {"variants", plan.variants},
       {"axes", plan.axes},         {"number", plan.runs.size()}};
+  if (plan.sobol)
+    head["sobol"] = json_of(*plan.sobol);
+  return head;
 }
 
 Plan plan_of(const Json& head) {
@@ -89,6 +113,8 @@ Plan plan_of(const Json& head) {
       static_cast<long>(whole_number(head, "audit", std::numeric_limits<int>::max()));
   head.at("variants").get_to(plan.variants);
   head.at("axes").get_to(plan.axes);
+  if (head.contains("sobol"))
+    plan.sobol = design_of(head.at("sobol"));
   return plan;
 }
 
@@ -103,6 +129,8 @@ Plan read_lines(std::istream& in) {
   const Json head = Json::parse(line.substr(0, line.size() - end.size()) + "}");
   Plan plan = plan_of(head);
   const std::size_t number = whole_number(head, "number", most_runs);
+  if (plan.sobol && plan.sobol->runs() != number)
+    throw std::runtime_error("its Sobol design has another number of runs");
   plan.runs.reserve(number);
   while (std::getline(in, line) && line != "]}") {
     if (line.ends_with(','))
@@ -213,6 +241,11 @@ std::string difference(const Plan& there, const Plan& wanted) {
     return fmt::format("its runs have --audit={}", there.audit_every);
   if (there.variants != wanted.variants)
     return fmt::format("its variants are {}", fmt::join(there.variants, ","));
+  if (there.sobol.has_value() != wanted.sobol.has_value())
+    return there.sobol ? "its runs are a Sobol design" : "its runs are no Sobol design";
+  if (there.sobol && *there.sobol != *wanted.sobol)
+    return fmt::format("its Sobol design has {} rows, seed {}, and {}",
+                       there.sobol->rows, there.sobol->seed, words_of(*there.sobol));
   return different_runs(there, wanted);
 }
 

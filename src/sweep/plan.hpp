@@ -8,6 +8,7 @@
 
 #include "deck/parser.hpp"
 #include "sweep/axes.hpp"
+#include "sweep/sobol_design.hpp"
 
 namespace blocks::sweep {
 
@@ -29,6 +30,7 @@ struct Plan {
   long audit_every = 0;         ///< steps between audits; 0: none
   std::vector<std::string> variants;  ///< of a study
   std::vector<std::string> axes;      ///< "seed" and the fields, in order
+  std::optional<SobolDesign> sobol;   ///< of which the runs are
   std::vector<Variation> runs;        ///< the run with id i is runs[i - 1]
 
   bool operator==(const Plan&) const = default;

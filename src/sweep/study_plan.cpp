@@ -46,11 +46,11 @@ std::vector<std::string> variants_of(const std::vector<std::string>& given) {
 }  // namespace
 
 Plan make_study_plan(const Request& request) {
-  if (!request.sets.empty() || !request.table.empty() || request.until ||
-      request.audit_every > 0)
+  if (!request.sets.empty() || !request.table.empty() || !request.sobol.empty() ||
+      request.until || request.audit_every > 0)
     throw AxisFault(
-        "the scenes of a study have no deck, so --set, --table, --until and "
-        "--audit do not apply",
+        "the scenes of a study have no deck, so --set, --table, --sobol, --until "
+        "and --audit do not apply",
         "give --seeds (numbers of frames) and --variants");
   if (request.seeds.empty())
     throw AxisFault("a study needs the numbers of its frames",

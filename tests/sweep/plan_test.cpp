@@ -118,6 +118,37 @@ TEST_F(PlanTest, ForgedValuesAreRefused) {
   EXPECT_THAT(fault("FRICTN.fric=.3", "FRICTN"), HasSubstr("is not CARD.field=value"));
 }
 
+Plan sobol_plan() {
+  Plan plan = some_plan();
+  plan.axes = {"FRICTN.fric"};
+  plan.sobol = SobolDesign{{{"FRICTN.fric", 0.1, 0.7}}, 2, 5};
+  plan.runs = sobol_runs(*plan.sobol, {});
+  return plan;
+}
+
+TEST_F(PlanTest, ASobolDesignIsReadAsItWasWritten) {
+  write_plan(folder_, sobol_plan());
+  EXPECT_EQ(read_plan(folder_), sobol_plan());
+  const std::string whole = text();
+  for (const char* rows : {"0", "1", "3", "-1", "1e300"}) {
+    std::string forged = whole;
+    write_text(
+        forged.replace(forged.find("\"rows\":2"), 8, std::string("\"rows\":") + rows));
+    EXPECT_THAT(fault_of_reading(), HasSubstr("cannot read")) << rows;
+  }
+}
+
+TEST(Plan, AnotherSobolDesignIsTold) {
+  const Plan plan = sobol_plan();
+  Plan other = plan;
+  other.sobol->seed = 6;
+  EXPECT_THAT(difference(plan, other), HasSubstr("has 2 rows, seed 5, and FRICTN.fric "
+                                                 "= 0.1 to 0.7"));
+  other.sobol.reset();
+  EXPECT_THAT(difference(plan, other), HasSubstr("are a Sobol design"));
+  EXPECT_THAT(difference(other, plan), HasSubstr("are no Sobol design"));
+}
+
 TEST_F(PlanTest, AFolderWithoutPlanIsToldSo) {
   EXPECT_FALSE(has_plan(folder_));
   EXPECT_THAT(fault_of_reading(), HasSubstr("is not the folder of a sweep"));

@@ -133,6 +133,40 @@ TEST_F(Sweep, FaultyWordsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_FALSE(folder_.holds("bad.sweep"));
 }
 
+TEST_F(Sweep, ASobolDesignIsRunRowByRow) {
+  const std::string words =
+      "a.deck --sobol FRICTN.fric=.3..0.6,STIFF.stifn=1e8..2e8 -n 2 --seeds 3 ";
+  sweep_well(words + "--set FRACTION.frac=.05 -o s");
+  EXPECT_THAT(sweep_well("status s").out, HasSubstr("\n8 done\n"));
+  const std::string log = slurp(of_run("s", 4, "log.txt"));
+  EXPECT_THAT(log, HasSubstr("run 4: seed 3, FRACTION.frac=.05, FRICTN.fric=0."));
+  expect_refused(words + "-o s", "instead of seed 3, FRICTN.fric=");
+  expect_refused("a.deck -o s", "its runs are a Sobol design");
+  expect_refused("a.deck --sobol FRICTN.fric=.3..0.6 -n 2 --seeds 3 -o s",
+                 "its Sobol design has 2 rows, seed 3, and FRICTN.fric = 0.3 to 0.6, "
+                 "STIFF.stifn = 1");
+}
+
+TEST_F(Sweep, FaultySobolDesignsAreRefused) {
+  const std::string sobol = "a.deck --sobol FRICTN.fric=.3..0.6 ";
+  expect_refused("a.deck --sobol FRICTN.fric=.6..0.3 -n 4", "is not below the high");
+  expect_refused(sobol, "--sobol needs the number of its rows, -n");
+  expect_refused(sobol + "-n 1", "one row is too few");
+  expect_refused(sobol + "-n 1000000", "at most 1000000 runs");
+  expect_refused(sobol + "-n 4 --seeds 1-2", "take one value each");
+  expect_refused(sobol + "-n 4 --set FRICTN.fric=.5", "FRICTN.fric is given twice");
+  expect_refused("a.deck -n 4", "-n has no effect without --sobol");
+  expect_refused("a.deck --sobol FRICTN.frik=1..2 -n 4", "unknown field 'frik'", 3);
+  // Only the low end is wrong, so a corner of the box is.
+  expect_refused("a.deck --sobol FRICTN.fric=-1..1 -n 4", "FRICTN", 3);
+  for (const char* rows : {"0", "-3", "1.5", "many"}) {
+    const Outcome run = sweep(sobol + "-n " + rows);
+    EXPECT_EQ(run.code, 2) << rows;
+    EXPECT_THAT(run.err, HasSubstr("a whole number, 1 or more, found '")) << rows;
+  }
+  EXPECT_FALSE(folder_.holds("a.sweep"));
+}
+
 TEST_F(Sweep, AMissingEngineIsTold) {
   const std::string call =
       "PATH=/nowhere " BLOCKS_PROGRAM " sweep a.deck --seeds 1-2 -o s ";
