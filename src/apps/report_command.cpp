@@ -111,9 +111,10 @@ void write_figures(const std::string& path, const report::Ensemble& ensemble,
   const post::PageSize page =
       post::PageSize::in_print(options.size.empty() ? "double" : options.size);
   const std::string stem = fs::path(path).replace_extension().string();
-  for (const auto& [name, chart] : report::all_charts(ensemble, analysis)) {
-    const std::string file = fmt::format("{}-{}{}", stem, name, ending_of(path));
-    post::draw_chart(file, chart, page);
+  for (const report::NamedChart& named : report::all_charts(ensemble, analysis)) {
+    const std::string file = fmt::format("{}-{}{}", stem, named.name, ending_of(path));
+    std::visit([&](const auto& one) { post::draw_chart(file, one, page); },
+               named.chart);
     fmt::print("{}\n", file);
   }
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,7 +11,7 @@
 
 #include "post/axes.hpp"
 #include "post/chart_layout.hpp"
-#include "post/colour_map.hpp"
+#include "post/line_colours.hpp"
 #include "post/page_file.hpp"
 #include "post/pen.hpp"
 #include "post/value_range.hpp"
@@ -24,16 +23,6 @@ constexpr Colour grid{0.9, 0.9, 0.9};
 constexpr double band_opacity = 0.28, bar_opacity = 0.72;
 constexpr double tick_size = 14;  ///< letters of the tick labels [units]
 constexpr double tick_gap = 9;    ///< from a tick label to the y axis [units]
-
-/// Colours that colour-blind readers can distinguish; the dashes change every seven
-/// lines.
-Colour line_colour(std::size_t i) {
-  static constexpr std::array<Colour, 7> palette = {
-      Colour{0.00, 0.36, 0.62}, {0.80, 0.33, 0.00}, {0.00, 0.51, 0.37},
-      {0.65, 0.25, 0.53},       {0.35, 0.35, 0.38}, {0.72, 0.53, 0.04},
-      {0.27, 0.60, 0.82}};
-  return palette[i % palette.size()];
-}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;

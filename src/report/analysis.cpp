@@ -100,7 +100,7 @@ ColumnStatistics statistics_of(const Ensemble& ensemble, std::size_t group,
   const auto& rows = ensemble.groups[group].rows;
   found.summary = summarize(values);
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (ensemble.rows[rows[i]].state == State::done && !std::isfinite(values[i]))
+    if (ensemble.counts(ensemble.rows[rows[i]]) && !std::isfinite(values[i]))
       ++found.missing;
   found.interval = found.summary.mean_interval;
   if (ensemble.columns[column].is_share) {
@@ -152,6 +152,13 @@ Analysis analyse(const Ensemble& ensemble, const Precision& precision) {
            state == State::open ? Interval{} : wilson(counts[state], group.ended)});
     for (std::size_t c = 0; c < ensemble.columns.size(); ++c)
       group.columns.push_back(statistics_of(ensemble, g, c, precision));
+    for (const std::size_t r : ensemble.groups[g].rows)
+      if (const RunRow& row = ensemble.rows[r]; ensemble.counts(row) && row.safety) {
+        group.failure.add(*row.safety);
+        if (!analysis.failure)
+          analysis.failure.emplace();
+        analysis.failure->add(*row.safety);
+      }
     std::vector<const std::vector<double>*> profiles;
     for (const std::size_t r : ensemble.groups[g].rows)
       if (!ensemble.rows[r].profile.empty())
@@ -162,6 +169,7 @@ Analysis analyse(const Ensemble& ensemble, const Precision& precision) {
       group.differences = differences_of(ensemble, g, *analysis.compared);
     analysis.groups.push_back(std::move(group));
   }
+  analysis.sensitivities = sensitivities(ensemble);
   return analysis;
 }
 
@@ -173,7 +181,7 @@ std::optional<std::size_t> median_run(const Ensemble& ensemble,
   double distance = std::numeric_limits<double>::infinity();
   for (const std::size_t r : ensemble.groups[group].rows) {
     const RunRow& row = ensemble.rows[r];
-    if (row.state != State::done)
+    if (!ensemble.counts(row))
       continue;
     const double away = std::abs(row.values[column] - median);
     if (!nearest || away < distance) {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "report/ensemble.hpp"
+#include "report/factor_of_safety.hpp"
 #include "report/profile_band.hpp"
+#include "report/sensitivity.hpp"
 #include "report/statistics.hpp"
 
 namespace blocks::report {
@@ -42,6 +44,7 @@ struct GroupStatistics {
   std::vector<ColumnStatistics> columns;  ///< (columns)
   std::optional<ProfileBand> profile;
   std::optional<GroupDifferences> differences;
+  FailureCount failure;  ///< of the runs that are done and have a factor of safety
 };
 
 struct Analysis {
@@ -51,6 +54,9 @@ struct Analysis {
   std::optional<std::size_t> compared;
   /// The numbers of the compared parameter, (groups), if it has numbers only.
   std::vector<double> axis;
+  /// Of all groups; empty if no run has a factor of safety.
+  std::optional<FailureCount> failure;
+  std::vector<Sensitivity> sensitivities;  ///< of the sweeps with a Sobol design
 };
 
 Analysis analyse(const Ensemble& ensemble, const Precision& precision);

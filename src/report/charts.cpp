@@ -111,6 +111,19 @@ post::Chart parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
   return chart;
 }
 
+std::string file_name(std::string name) {
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '_')
+      c = '-';
+  return name;
+}
+
+/// Returns the group of a sweep in the name of a file; empty if there is only one.
+std::string group_suffix(const Ensemble& ensemble, const Sensitivity& one) {
+  const std::string name = ensemble.name_of(ensemble.groups[one.group]);
+  return name.empty() ? "" : "-" + name;
+}
+
 /// Returns the groups in ascending order of the parameter.
 std::vector<std::size_t> by_parameter(const Analysis& analysis) {
   std::vector<std::size_t> order(analysis.axis.size());
@@ -266,12 +279,9 @@ post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
 
 std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& analysis) {
   std::vector<NamedChart> charts;
-  const auto add = [&](std::string name, post::Chart chart) {
-    for (char& c : name)
-      if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '_')
-        c = '-';
+  const auto add = [&](const std::string& name, post::Chart chart) {
     if (!chart.panels.empty())
-      charts.push_back({std::move(name), std::move(chart)});
+      charts.push_back({file_name(name), std::move(chart)});
   };
   add("profile", profile_chart(ensemble, analysis));
   for (std::size_t c = 0; c < ensemble.columns.size(); ++c) {
@@ -279,6 +289,10 @@ std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& ana
     add("histogram-" + name, histogram(ensemble, analysis, c));
     add("mean-" + name, against_parameter(ensemble, analysis, c));
     add("difference-" + name, differences(ensemble, analysis, c));
+    for (const Sensitivity& one : analysis.sensitivities)
+      if (post::DotChart chart = index_chart(ensemble, one, c); !chart.names.empty())
+        charts.push_back({file_name("sobol-" + name + group_suffix(ensemble, one)),
+                          std::move(chart)});
   }
   return charts;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "post/dot_chart.hpp"
 #include "post/line_chart.hpp"
 #include "report/analysis.hpp"
 #include "report/ensemble.hpp"
@@ -29,6 +31,11 @@ post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis
 post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
                         std::size_t column);
 
+/// Returns the Sobol indices of a measure in one of analysis.sensitivities; without
+/// rows if none is a number.
+post::DotChart index_chart(const Ensemble& ensemble, const Sensitivity& sensitivity,
+                           std::size_t column);
+
 /// The most groups in one figure of profiles or histograms.
 inline constexpr std::size_t most_groups_drawn = 6;
 
@@ -40,7 +47,7 @@ std::vector<double> bin_boundaries(std::vector<double> values);
 /// A chart with the name of its file, such as "histogram-dy-min".
 struct NamedChart {
   std::string name;
-  post::Chart chart;
+  std::variant<post::Chart, post::DotChart> chart;
 };
 
 /// Returns all charts of the report that have something to show. Characters of

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "report/factor_of_safety.hpp"
 #include "report/measure.hpp"
 #include "report/members.hpp"
 #include "report/profile_band.hpp"
@@ -43,6 +44,10 @@ struct RunRow {
   State state = State::open;
   std::optional<int> code;  ///< exit code; empty if open, or not known
   std::string status, message;
+  std::optional<SafetyBracket> safety;  ///< empty: no FOS card
+  /// Whether statistics of the sample count the run. Of a Sobol design these are the
+  /// runs at the points a and b, which are independent of each other.
+  bool in_sample = true;
   bool has_results = false;     ///< a results file of its own, which may be damaged
   std::vector<double> values;   ///< (measures) NaN: none
   std::vector<double> profile;  ///< (profile_positions), or empty
@@ -68,14 +73,21 @@ struct Ensemble {
   std::optional<Units> units;           ///< of all values
   std::vector<std::string> parameters;  ///< names: "FRICTN.fric", "variant", "sweep"
   std::vector<Group> groups;            ///< in the order of the plans
+  std::vector<std::string> sampled;     ///< names: the fields of Sobol designs
   std::vector<Column> columns;
   std::vector<RunRow> rows;  ///< in the order of the plans
   std::optional<ProfileQuestion> profile;
   std::vector<double> positions;  ///< (profile_positions) [L], or empty
 
   sweep::Kind kind() const { return members.front().plan.kind; }
+  /// Returns whether the statistics count the run: it is done and in the sample.
+  bool counts(const RunRow& row) const {
+    return row.state == State::done && row.in_sample;
+  }
+  /// Returns the values of the sampled fields in a run; empty texts if it has none.
+  std::vector<std::string> sampled_values(const RunRow& row) const;
   /// Returns the values of a column in a group, in the order of its rows; NaN for runs
-  /// that are not done.
+  /// that do not count.
   std::vector<double> sample(std::size_t group, std::size_t column) const;
   /// Returns the results file of a run.
   std::string results_of(const RunRow& row) const;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "report/factor_of_safety.hpp"
+
 namespace blocks::report {
 namespace {
 
@@ -93,8 +95,13 @@ std::string short_list(const std::set<std::string>& names) {
 [[noreturn]] void tell_unknown(const quantities::CurveFault& fault,
                                const std::set<std::string>& outcome_names) {
   std::string hint = fault.hint;
-  if (!outcome_names.empty())
-    hint += "\nof the blocks at the first motion: " + short_list(outcome_names);
+  std::set<std::string> of_blocks, of_safety;
+  for (const std::string& name : outcome_names)
+    (safety_names().contains(name) ? of_safety : of_blocks).insert(name);
+  if (!of_blocks.empty())
+    hint += "\nof the blocks at the first motion: " + short_list(of_blocks);
+  if (!of_safety.empty())
+    hint += "\nof the FOS card: " + short_list(of_safety);
   throw std::runtime_error(std::string(fault.what()) + "\n  hint: " + indented(hint));
 }
 

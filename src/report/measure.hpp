@@ -19,9 +19,12 @@ namespace blocks::report {
 ///     CURVE@max     its largest value over time, CURVE@min the smallest
 ///     profile:min   the smallest value of the profile, profile:max the largest
 ///     NAME          a number in outcome.json, such as p21 or aspect:max
+///     fos           the middle of the proved ends of the factor of safety; also
+///                   fos_lower and fos_upper, these ends
 ///
 /// With <LIMIT or >LIMIT after it, it is 1 if the number is below or above the limit,
-/// otherwise 0, and the report gives the share of the runs.
+/// otherwise 0, and the report gives the share of the runs. fos<LIMIT is decided by the
+/// proved ends, and a run has no value if they do not decide it.
 struct Measure {
   enum class From { curve, profile, outcome };
   enum class When { end, time, largest, smallest };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/factor_of_safety.hpp"
 #include "report/statistics.hpp"
 
 namespace blocks::report {
@@ -96,6 +97,15 @@ double measured_value(const sweep::Outcome& outcome, const std::string& variant,
     return no_number;
   const auto part = parts->find(name.substr(colon + 1));
   return part == parts->end() ? no_number : number(*part);
+}
+
+double value_of(const Measure& measure, const sweep::Outcome& outcome,
+                const std::string& variant, double scale) {
+  if (safety_names().contains(measure.key)) {
+    const auto bracket = safety_bracket(outcome);
+    return bracket ? safety_value(*bracket, measure) : no_number;
+  }
+  return measure.with_limit(scale * measured_value(outcome, variant, measure.key));
 }
 
 std::vector<std::string> usual_names(const std::set<std::string>& names, bool study) {

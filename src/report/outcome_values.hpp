@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/measure.hpp"
 #include "sweep/outcome.hpp"
 
 namespace blocks::report {
@@ -27,6 +28,11 @@ std::set<std::string> measured_shares(const sweep::Outcome& outcome);
 /// Returns the number with this name; 1 or 0 for true or false. NaN if there is none.
 double measured_value(const sweep::Outcome& outcome, const std::string& variant,
                       const std::string& name);
+
+/// Returns the value of a measure of outcomes. `scale` converts the number to the units
+/// of the report. NaN if the outcome has no such number.
+double value_of(const Measure& measure, const sweep::Outcome& outcome,
+                const std::string& variant, double scale);
 
 /// Returns the names that a report shows unless others are named: the most telling
 /// ones, or all of them if none of these is there.

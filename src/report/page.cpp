@@ -18,9 +18,11 @@ std::string PageWriter::page() {
   outcomes();
   if (!several_)
     key_numbers();
+  failures();
   typical_pictures();
   profile();
   parameter_figures();
+  sensitivities();
   if (all_.kind() == sweep::Kind::study)
     variant_tables();
   else

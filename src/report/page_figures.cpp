@@ -19,7 +19,6 @@ std::string run_name(const RunRow& row) {
 }
 
 constexpr const char* whole = "240mm";  ///< width of a figure
-constexpr const char* half = "118mm";
 
 /// Returns a chart as SVG; empty if it has nothing to show.
 std::string svg(const post::Chart& chart, const char* width) {
@@ -131,11 +130,13 @@ void PageWriter::parameter_figures() {
            "</h2>\n<p>Means over the "
            "seeds with their 95 % confidence intervals.</p>\n<div class=\"pair\">\n";
   for (std::size_t c = 0; c < all_.columns.size(); ++c)
-    figure(svg(against_parameter(all_, analysis_, c), half), column_caption(c), true);
+    figure(svg(against_parameter(all_, analysis_, c), half_width), column_caption(c),
+           true);
   text_ += "</div>\n";
   bool begun = false;
   for (std::size_t c = 0; c < all_.columns.size(); ++c) {
-    const std::string picture = svg(report::differences(all_, analysis_, c), half);
+    const std::string picture =
+        svg(report::differences(all_, analysis_, c), half_width);
     if (picture.empty())
       continue;
     if (!begun)
@@ -175,7 +176,7 @@ void PageWriter::histograms() {
   const bool tall = all_.groups.size() > 1;
   for (std::size_t c = 0; c < all_.columns.size(); ++c) {
     const std::string picture =
-        is_constant[c] ? std::string() : svg(histogram(all_, analysis_, c), half);
+        is_constant[c] ? std::string() : svg(histogram(all_, analysis_, c), half_width);
     if (picture.empty())
       continue;
     if (!begun)

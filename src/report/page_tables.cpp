@@ -6,6 +6,7 @@
 #include <set>
 
 #include "report/html_text.hpp"
+#include "report/name_list.hpp"
 #include "report/page_writer.hpp"
 
 namespace blocks::report {
@@ -28,11 +29,6 @@ std::string deck_words(const std::string& parameter_value) {
 
 std::string precision_head(const Precision& precision) {
   return "runs for<br>± " + precision.words();
-}
-
-void add_once(std::vector<std::string>& list, const std::string& name) {
-  if (std::find(list.begin(), list.end(), name) == list.end())
-    list.push_back(name);
 }
 
 }  // namespace
@@ -260,6 +256,8 @@ void PageWriter::run_table() {
            "</p>\n<div class=\"wide\"><table><thead><tr><th data-sort>run</th>";
   for (const std::string& parameter : all_.parameters)
     text_ += "<th data-sort class=\"text\">" + escaped(parameter) + "</th>";
+  for (const std::string& field : all_.sampled)
+    text_ += "<th data-sort>" + escaped(field) + "</th>";
   text_ += fmt::format("<th data-sort>{}</th>", seed_word()) +
            "<th data-sort class=\"text\">outcome</th>";
   for (const Column& column : all_.columns)
@@ -285,6 +283,8 @@ void PageWriter::run_row(std::size_t r) {
                        run_link(r, std::to_string(row.id)));
   for (const std::string& value : all_.groups[row.group].values)
     text_ += "<td class=\"text\">" + escaped(deck_words(value)) + "</td>";
+  for (const std::string& value : all_.sampled_values(row))
+    text_ += "<td>" + escaped(value) + "</td>";
   text_ += fmt::format(
       "<td>{}</td><td class=\"text\"><span class=\"state\"><i class=\"{}\"></i>{}{}"
       "</span>{}</td>",

@@ -9,6 +9,9 @@
 
 namespace blocks::report {
 
+/// The width of a figure of which two are side by side.
+inline constexpr const char* half_width = "118mm";
+
 /// Returns the text with a capital first letter.
 std::string capital(std::string text);
 
@@ -74,6 +77,15 @@ class PageWriter {
   void run_table();
   std::string link_words() const;
   void run_row(std::size_t r);
+
+  // page_safety.cpp
+  /// Tells in how many runs F < 1, over all groups and in each of them.
+  void failures();
+
+  // page_sensitivity.cpp
+  /// Shows the Sobol indices of each measure as a figure and a table.
+  void sensitivities();
+  void index_table(const Sensitivity& one, std::size_t column);
 
   // page_writer.cpp: words and links
   std::string column_caption(std::size_t c) const;

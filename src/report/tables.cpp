@@ -4,31 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <nlohmann/json.hpp>
 
-#include "post/units.hpp"
+#include "report/table_cells.hpp"
 
 namespace blocks::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr quantities::Dimension length{1, 0, 0, "m", ""};
-
-/// Quotes a text that contains a comma, a quote or a line break (RFC 4180).
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string safe = "\"";
-  for (const char c : text)
-    safe += c == '"' ? "\"\"" : std::string(1, c);
-  return safe + '"';
-}
-
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value + 0.0) : "";
-}
 
 std::string seed_cell(const Ensemble& ensemble, std::size_t row) {
   const auto& seed = ensemble.rows[row].seed;
@@ -94,136 +74,46 @@ std::string difference_row(const Ensemble& ensemble, const Column& column,
                             quoted(ensemble.name_of(ensemble.groups[reference])));
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(); }
-
-Json interval_json(const Interval& interval) {
-  return {number(interval.low), number(interval.high)};
+/// The row of all groups: its cells of parameters are empty.
+std::string failure_row(const FailureCount& count) {
+  const Interval interval = count.interval();
+  std::string line = fmt::format(
+      "failure,fos<1,,{},{},{},{},{},{},wilson", count.decided(), count.undecided,
+      count.failing, cell(count.share()), cell(interval.low), cell(interval.high));
+  return line + std::string(16, ',') + '\n';
 }
 
-Json quantile_json(const Quantile& one) {
-  return {{"value", number(one.value)}, {"interval", interval_json(one.interval)}};
+/// A row for one index of a parameter, which is in the column `reference`.
+std::string index_row(const char* kind, const Column& column,
+                      const SobolIndices& indices, double value,
+                      const Interval& interval, const std::string& parameter) {
+  return fmt::format("{},{},,{},{},,{},{},{},bootstrap", kind,
+                     quoted(column.measure.name), indices.rows, indices.left_out,
+                     cell(value), cell(interval.low), cell(interval.high)) +
+         std::string(16, ',') + quoted(parameter) + '\n';
 }
 
-Json seed_json(const Ensemble& ensemble, std::size_t row) {
-  const auto& seed = ensemble.rows[row].seed;
-  return seed ? Json(*seed) : Json();
-}
-
-Json summary_json(const Summary& s) {
-  return {{"n", s.n},
-          {"mean", number(s.mean)},
-          {"interval", interval_json(s.mean_interval)},
-          {"sd", number(s.standard_deviation)},
-          {"p5", quantile_json(s.low)},
-          {"p50", quantile_json(s.median)},
-          {"p95", quantile_json(s.high)},
-          {"min", number(s.least)},
-          {"max", number(s.most)}};
-}
-
-Json column_json(const Ensemble& ensemble, std::size_t c, const ColumnStatistics& s) {
-  const Column& column = ensemble.columns[c];
-  Json json = {{"name", column.measure.name},
-               {"label", column.label},
-               {"unit", column.unit},
-               {"missing", s.missing}};
-  if (column.is_share) {
-    json.update({{"n", s.summary.n},
-                 {"share", number(s.summary.mean)},
-                 {"interval", interval_json(s.interval)}});
-    return json;
-  }
-  json.update(summary_json(s.summary));
-  json["min_seed"] = s.summary.n > 0 ? seed_json(ensemble, s.least_row) : Json();
-  json["max_seed"] = s.summary.n > 0 ? seed_json(ensemble, s.most_row) : Json();
-  json["runs_needed"] = s.needed ? Json(*s.needed) : Json();
-  return json;
-}
-
-Json numbers_json(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values)
-    list.push_back(number(value));
-  return list;
-}
-
-Json parameters_json(const Ensemble& ensemble, const Group& group) {
-  Json json = Json::object();
-  for (std::size_t p = 0; p < ensemble.parameters.size(); ++p)
-    json[ensemble.parameters[p]] = group.values[p];
-  return json;
-}
-
-Json group_json(const Ensemble& ensemble, const Analysis& analysis, std::size_t g) {
-  const GroupStatistics& group = analysis.groups[g];
-  Json outcomes = Json::object(), columns = Json::array();
-  for (const OutcomeCount& one : group.outcomes) {
-    outcomes[name_of(one.state)] = {{"count", one.count}};
-    if (one.state != State::open)
-      outcomes[name_of(one.state)]["interval"] = interval_json(one.share);
-  }
-  for (std::size_t c = 0; c < ensemble.columns.size(); ++c)
-    columns.push_back(column_json(ensemble, c, group.columns[c]));
-  Json json = {{"parameters", parameters_json(ensemble, ensemble.groups[g])},
-               {"ended", group.ended},
-               {"outcomes", outcomes},
-               {"quantities", columns}};
-  if (group.differences) {
-    Json list = Json::array();
-    for (std::size_t c = 0; c < ensemble.columns.size(); ++c) {
-      Json one = {{"name", ensemble.columns[c].measure.name}};
-      one.update(summary_json(group.differences->columns[c]));
-      list.push_back(std::move(one));
-    }
-    json["differences"] = {
-        {"reference",
-         parameters_json(ensemble, ensemble.groups[group.differences->reference])},
-        {"quantities", list}};
-  }
-  if (group.profile)
-    json["profile"] = {{"runs", group.profile->runs},
-                       {"median", numbers_json(group.profile->median)},
-                       {"p5", numbers_json(group.profile->low)},
-                       {"p95", numbers_json(group.profile->high)}};
-  return json;
-}
-
-/// Returns the width on a terminal: the number of bytes that begin a character.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string padded(const std::string& text, std::size_t width, bool right) {
-  const std::size_t own = width_of(text);
-  const std::string space(own < width ? width - own : 0, ' ');
-  return right ? space + text : text + space;
-}
-
-std::string short_number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.4g}", value + 0.0) : "-";
-}
-
-std::string short_interval(const Interval& interval) {
-  return std::isfinite(interval.low)
-             ? short_number(interval.low) + " to " + short_number(interval.high)
-             : "-";
-}
-
-/// Returns the rows as a table; the first column is aligned to the left.
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c)
-      widths[c] = std::max(widths[c], width_of(row[c]));
+/// Returns the rows of a sweep; each begins with the cells of its group.
+std::string index_rows(const Ensemble& ensemble, const Sensitivity& all,
+                       const std::string& begin) {
   std::string text;
-  for (const auto& row : rows) {
-    std::string line = "  ";
-    for (std::size_t c = 0; c < row.size(); ++c)
-      line += padded(row[c], widths[c], c > 0) + (c + 1 < row.size() ? "  " : "");
-    text += line + '\n';
-  }
+  for (std::size_t c = 0; c < ensemble.columns.size(); ++c)
+    for (std::size_t i = 0; i < all.parameters.size(); ++i) {
+      const SobolIndices& indices = all.quantities[c];
+      const SobolIndex& one = indices.parameters[i];
+      text += begin + index_row("first_order", ensemble.columns[c], indices, one.first,
+                                one.first_interval, all.parameters[i]);
+      text += begin + index_row("total", ensemble.columns[c], indices, one.total,
+                                one.total_interval, all.parameters[i]);
+    }
   return text;
+}
+
+std::string parameter_cells(const Group& group) {
+  std::string cells;
+  for (const std::string& value : group.values)
+    cells += quoted(value) + ',';
+  return cells;
 }
 
 }  // namespace
@@ -234,9 +124,7 @@ std::string statistics_csv(const Ensemble& ensemble, const Analysis& analysis) {
     text += quoted(parameter) + ',';
   text += statistics_head;
   for (std::size_t g = 0; g < ensemble.groups.size(); ++g) {
-    std::string begin;
-    for (const std::string& value : ensemble.groups[g].values)
-      begin += quoted(value) + ',';
+    const std::string begin = parameter_cells(ensemble.groups[g]);
     const GroupStatistics& group = analysis.groups[g];
     for (const OutcomeCount& one : group.outcomes)
       text += begin + outcome_row(one, group.ended);
@@ -248,33 +136,12 @@ std::string statistics_csv(const Ensemble& ensemble, const Analysis& analysis) {
                                        group.differences->columns[c],
                                        group.differences->reference);
   }
+  for (const Sensitivity& one : analysis.sensitivities)
+    text += index_rows(ensemble, one, parameter_cells(ensemble.groups[one.group]));
+  if (analysis.failure)
+    text +=
+        std::string(ensemble.parameters.size(), ',') + failure_row(*analysis.failure);
   return text;
-}
-
-std::string statistics_json(const Ensemble& ensemble, const Analysis& analysis) {
-  Json sweeps = Json::array(), groups = Json::array();
-  for (const Member& member : ensemble.members)
-    sweeps.push_back(
-        {{"name", member.plan.name},
-         {"deck", std::filesystem::path(member.plan.deck).filename().string()},
-         {"deck_hash", member.plan.deck_hash},
-         {"version", member.plan.version},
-         {"numerics", member.plan.numerics},
-         {"runs", member.plan.runs.size()}});
-  for (std::size_t g = 0; g < ensemble.groups.size(); ++g)
-    groups.push_back(group_json(ensemble, analysis, g));
-  Json json = {{"blocks_report", 1},
-               {"title", ensemble.title},
-               {"sweeps", sweeps},
-               {"confidence", confidence},
-               {"precision", analysis.precision.words()}};
-  if (ensemble.profile)
-    json["profile"] = {{"line", ensemble.profile->line.segment ? "segment" : "top"},
-                       {"quantity", ensemble.profile->quantity},
-                       {"position_unit", post::unit_text(length, ensemble.units)},
-                       {"position", numbers_json(ensemble.positions)}};
-  json["groups"] = groups;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string runs_csv(const Ensemble& ensemble) {
@@ -284,6 +151,8 @@ std::string runs_csv(const Ensemble& ensemble) {
   std::string text = several ? "sweep,run," : "run,";
   for (const std::string& parameter : ensemble.parameters)
     text += quoted(parameter) + ',';
+  for (const std::string& field : ensemble.sampled)
+    text += quoted(field) + ',';
   text += "seed,outcome,code,status,message";
   for (const Column& column : ensemble.columns)
     text += ',' + quoted(column.measure.name);
@@ -292,7 +161,8 @@ std::string runs_csv(const Ensemble& ensemble) {
     if (several)
       text += quoted(ensemble.members[row.member].label) + ',';
     text += std::to_string(row.id) + ',';
-    for (const std::string& value : ensemble.groups[row.group].values)
+    text += parameter_cells(ensemble.groups[row.group]);
+    for (const std::string& value : ensemble.sampled_values(row))
       text += quoted(value) + ',';
     text += fmt::format("{},{},{},{},{}", row.seed ? std::to_string(*row.seed) : "",
                         name_of(row.state), row.code ? std::to_string(*row.code) : "",
@@ -301,41 +171,6 @@ std::string runs_csv(const Ensemble& ensemble) {
       text += ',' + cell(value);
     text += '\n';
   }
-  return text;
-}
-
-std::string statistics_text(const Ensemble& ensemble, const Analysis& analysis) {
-  std::string text = ensemble.title.empty() ? "" : ensemble.title + '\n';
-  text += sweep_words(ensemble) + '\n';
-  constexpr std::size_t most_groups = 20;
-  for (std::size_t g = 0; g < std::min(ensemble.groups.size(), most_groups); ++g) {
-    const GroupStatistics& group = analysis.groups[g];
-    const std::string name = ensemble.name_of(ensemble.groups[g]);
-    text +=
-        fmt::format("\n{}{}{}\n", name, name.empty() ? "" : ": ", outcome_words(group));
-    std::vector<std::vector<std::string>> rows = {
-        {"", "unit", "n", "mean", "95 % interval", "sd", "5 %", "median", "95 %",
-         "runs for " + analysis.precision.words()}};
-    for (std::size_t c = 0; c < ensemble.columns.size(); ++c) {
-      const Column& column = ensemble.columns[c];
-      const ColumnStatistics& s = group.columns[c];
-      rows.push_back({column.measure.name, column.unit, std::to_string(s.summary.n),
-                      short_number(s.summary.mean), short_interval(s.interval)});
-      if (column.is_share)
-        rows.back().insert(rows.back().end(), {"", "", "", "", ""});
-      else
-        rows.back().insert(rows.back().end(),
-                           {short_number(s.summary.standard_deviation),
-                            short_number(s.summary.low.value),
-                            short_number(s.summary.median.value),
-                            short_number(s.summary.high.value),
-                            s.needed ? std::to_string(*s.needed) : "-"});
-    }
-    text += aligned(rows);
-  }
-  if (ensemble.groups.size() > most_groups)
-    text += fmt::format("\nand {} more groups, which -o table.csv lists\n",
-                        ensemble.groups.size() - most_groups);
   return text;
 }
 

@@ -93,6 +93,10 @@ std::string sweep_words(const Ensemble& ensemble) {
   if (!seeds.empty())
     axes.push_back(fmt::format("{}{} {}", study ? "frame" : "seed",
                                seeds.size() == 1 ? "" : "s", ranges(seeds)));
+  for (const Member& member : ensemble.members)
+    if (member.plan.sobol)
+      axes.push_back(fmt::format("Sobol design of {} rows, {}", member.plan.sobol->rows,
+                                 sweep::words_of(*member.plan.sobol)));
   for (std::size_t p = 0; p < ensemble.parameters.size(); ++p) {
     constexpr std::size_t most_values = 8;
     std::vector<std::string> values;
