@@ -3,33 +3,30 @@
 #include <algorithm>
 #include <string>
 
-#include "dynamics/contact_step.hpp"
-#include "dynamics/contact_work.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/point_velocity.hpp"
 #include "dynamics/quiet_sides.hpp"
+#include "dynamics/spring_energy.hpp"
 #include "dynamics/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-/// Lists the contacts that act, except those between two fixed blocks, which a
-/// search leaves out.
-void list_acting(const Blocks& blocks, const ContactArrays& arrays,
-                 EnergyMemory& memory) {
-  memory.acting.clear();
-  for (int p = 0; p < static_cast<int>(arrays.lane_of_pair.size()); ++p) {
-    const int lane = arrays.lane_of_pair[p];
-    if (lane < 0)
-      continue;
-    const BatchPairs& pairs = arrays.batches.pairs[lane / lane_count];
-    const int k = lane % lane_count;
-    if (blocks.may_touch(pairs.low[k], pairs.high[k]))
-      arrays.each_slot(p, [&](int slot) {
-        if (arrays.batches.is(slot, &ContactStates::acts))
-          memory.acting.push_back({slot, lane});
-      });
-  }
+/// Adds up what the contacts of all pairs do, in the order of the pairs. Two fixed
+/// blocks are left out, because a search leaves them out.
+ContactTally tally_contacts(const Blocks& blocks, const ContactArrays& arrays,
+                            const WorkSplit& split, Workers& workers,
+                            EnergyMemory& memory) {
+  const ContactBatches& batches = arrays.batches;
+  return tally_all(blocks.size(), memory.contact_tallies, split, workers, memory.shares,
+                   [&](int b, ContactTally& tally) {
+                     arrays.lows.each(b, [&](int lane) {
+                       const int batch = lane / lane_count, k = lane % lane_count;
+                       if (blocks.may_touch(b, batches.pairs[batch].high[k]))
+                         each_work([k](double& sum, const double* of) { sum += of[k]; },
+                                   tally, batches.works[batch]);
+                     });
+                   });
 }
 
 /// Returns the energy of a spring of a plane, [F L].
@@ -109,12 +106,11 @@ void count_changes(Model& model, EnergyEntry entry, const LawTable& laws,
 void tally_planes(const Model& model, ContactTally& tally) {
   const double dt = model.time_step.dt;
   const PlaneContacts& contacts = model.plane_contacts;
-  double before = 0.0, after = 0.0;
   for (int i = 0; i < contacts.size(); ++i) {
     const PlaneForce force = plane_force(model.blocks, contacts, i, model.settings, dt);
     if (!force.acts)
       continue;
-    ContactStep step{};
+    ContactStep<double> step{};
     step.normal_before = contacts.normal_elastic[i];
     step.normal = force.spring;
     step.normal_force = force.normal;
@@ -123,12 +119,8 @@ void tally_planes(const Model& model, ContactTally& tally) {
     step.normal_energy_before = plane_spring(model.settings, step.normal_before);
     step.normal_energy = plane_spring(model.settings, step.normal);
     step.normal_energy_acting = step.normal_energy;
-    before += step.normal_energy_before;
-    after += step.normal_energy;
-    tally.add(work_of(step));
+    tally.include(work_of(step));
   }
-  tally.before += before;
-  tally.after += after;
 }
 
 /// Returns the work of pressures and forces at centroids.
@@ -197,22 +189,14 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   EnergyAccount& account = model.energy;
   if (list_is_current)
     count_changes(model, EnergyEntry::removed, arrays.laws, split, workers, memory);
-  list_acting(model.blocks, arrays, memory);
-  const ContactSteps steps(model, arrays);
-  ContactTally contacts =
-      tally_all(static_cast<int>(memory.acting.size()), memory.contact_tallies, split,
-                workers, memory.shares, [&](int i, ContactTally& tally) {
-                  const EnergyMemory::Acting& at =
-                      memory.acting[static_cast<std::size_t>(i)];
-                  const ContactStep step = steps.at(at.slot, at.lane);
-                  tally.before += step.stored_before();
-                  tally.after += step.stored();
-                  tally.add(work_of(step));
-                });
+  ContactTally contacts = tally_contacts(model.blocks, arrays, split, workers, memory);
   tally_planes(model, contacts);
-  for (int i = 0; i < energy_entries; ++i)
-    account.add(static_cast<EnergyEntry>(i),
-                contacts.entries[static_cast<std::size_t>(i)]);
+  account.add(EnergyEntry::dilation, contacts.dilation);
+  account.add(EnergyEntry::friction, contacts.friction);
+  account.add(EnergyEntry::dashpots, contacts.dashpots);
+  account.add(EnergyEntry::breaking, contacts.breaking);
+  account.add(EnergyEntry::hysteresis, contacts.hysteresis);
+  account.add(EnergyEntry::integration, contacts.integration);
   account.add(EnergyEntry::transfer, account.elastic - contacts.before);
   account.elastic = contacts.after;
   account.add(EnergyEntry::loads, work_of_loads(model));
@@ -308,17 +292,8 @@ void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& spl
   account.add(EnergyEntry::removed, account.kinetic - blocks.kinetic);
   account.kinetic = blocks.kinetic;
   account.next_kinetic = blocks.next_kinetic;
-  list_acting(model.blocks, arrays, memory);
-  const ContactSteps steps(model, arrays);
   const double elastic =
-      tally_all(static_cast<int>(memory.acting.size()), memory.contact_tallies, split,
-                workers, memory.shares,
-                [&](int i, ContactTally& tally) {
-                  const EnergyMemory::Acting& at =
-                      memory.acting[static_cast<std::size_t>(i)];
-                  tally.after += steps.stored(at.slot, at.lane);
-                })
-          .after +
+      tally_contacts(model.blocks, arrays, split, workers, memory).after +
       plane_springs(model);
   account.add(EnergyEntry::removed, account.elastic - elastic);
   account.elastic = elastic;

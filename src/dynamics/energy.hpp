@@ -17,11 +17,7 @@ namespace blocks::dynamics {
 
 /// Working memory of the account.
 struct EnergyMemory {
-  struct Acting {
-    int slot, lane;
-  };
-  std::vector<Acting> acting;       ///< contacts of the step, in their order
-  std::vector<int> listed;          ///< the same in the list of the model
+  std::vector<int> listed;          ///< contacts in the list of the model
   std::vector<BlockMotion> before;  ///< (n) motion before the step
   std::vector<BlockMasses> masses;  ///< (n) before the step
   std::vector<double> damped;  ///< [F L] (n) taken by LOCDAMP and MDAMP in the step

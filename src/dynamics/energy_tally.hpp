@@ -2,23 +2,20 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
-#include "dynamics/contact_work.hpp"
+#include "dynamics/kernels/contact_work.hpp"
 #include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
-#include "model/energy.hpp"
 
 namespace blocks::dynamics {
 
 /// Sums of energies over some contacts.
-struct ContactTally {
-  std::array<double, energy_entries> entries{};
-  double before = 0.0, after = 0.0;  ///< elastic energy before and after the step
-
-  void add(const ContactWork& work);
-  void include(const ContactTally& other);
+struct ContactTally : ContactWork<double> {
+  ContactTally() : ContactWork{} {}
+  void include(const ContactWork<double>& other) {
+    each_work([](double& sum, double x) { sum += x; }, *this, other);
+  }
 };
 /// Sums of energies over some blocks.
 struct BlockTally {

@@ -8,14 +8,6 @@
 
 namespace blocks::dynamics {
 
-namespace {
-
-double half_inverse(double stiffness) {
-  return stiffness > 0.0 ? 0.5 / stiffness : 0.0;
-}
-
-}  // namespace
-
 ContactState<double> state_of(const Contact& contact, const JointState& state) {
   ContactState<double> now;
   now.normal = contact.normal_elastic, now.shear = contact.shear_elastic;
@@ -24,9 +16,7 @@ ContactState<double> state_of(const Contact& contact, const JointState& state) {
 }
 
 SpringEnergies::SpringEnergies(const Settings& settings, const LawTable& laws)
-    : settings_(settings), laws_(laws),
-      half_compliance_(half_inverse(settings.normal_stiffness)),
-      half_shear_compliance_(half_inverse(settings.shear_stiffness)) {}
+    : settings_(settings), laws_(laws) {}
 
 LawValues<double> SpringEnergies::values_of(int law) const {
   const LawValues<const double*>& all = laws_.columns().values;
@@ -40,9 +30,6 @@ LawValues<double> SpringEnergies::values_of(int law) const {
 }
 
 SpringEnergy SpringEnergies::of(int law, ContactState<double> state) const {
-  if (law == 0 && !laws_.in_situ())
-    return {state.normal * state.normal * half_compliance_,
-            state.shear * state.shear * half_shear_compliance_};
   if (!(state.stiffness > 0.0)) {
     state.stiffness = settings_.normal_stiffness;
     state.shear_stiffness = settings_.shear_stiffness;

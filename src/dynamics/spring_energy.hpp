@@ -34,7 +34,6 @@ class SpringEnergies {
  private:
   const Settings& settings_;
   const LawTable& laws_;
-  double half_compliance_, half_shear_compliance_;  ///< [L/F] of STIFF; 0: no spring
 };
 
 }  // namespace blocks::dynamics

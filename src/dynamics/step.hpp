@@ -73,6 +73,7 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   // 3. Contact forces. Reads blocks, springs; writes springs, forces of pairs, and the
   // list if `reads`.
   timer.next(Profile::forces);
+  work.contacts.batches.has_account = model.energy.kept;
   const Extremes at_contacts =
       find_contact_forces(blocks, settings, dt, work.contacts, Rules::transfers_springs,
                           work.split, *work.workers, work.forces);

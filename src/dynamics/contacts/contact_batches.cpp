@@ -21,6 +21,7 @@ void ContactBatches::reserve(int batches, int rows, bool with_laws) {
     make(batches * lane_count, own_forces_, forces);
     prefer_huge_pages(forces, sizeof(PairForce) * batches * lane_count);
     make(batches * lane_count, own_stresses_, stresses);
+    make(batches, own_works_, works);
     room_for_batches_ = batches;
   }
   if (rows > room_for_rows_) {

@@ -69,6 +69,7 @@ class ContactBatches : public BatchArrays {
   std::unique_ptr<BatchMarks[]> own_marks_;
   std::unique_ptr<PairForce[]> own_forces_;
   std::unique_ptr<PairStress[]> own_stresses_;
+  std::unique_ptr<BatchWork[]> own_works_;
   std::unique_ptr<ContactRow[]> own_contacts_;
   std::unique_ptr<ContactTests[]> own_tests_;
   std::unique_ptr<ContactStates[]> own_states_;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "dynamics/kernels/contact_work.hpp"
 #include "dynamics/kernels/joint_batch.hpp"
 
 namespace blocks::dynamics {
@@ -63,6 +64,8 @@ struct alignas(32) PairForce {
 struct alignas(64) PairStress {
   double low[4], high[4];
 };
+/// What the contacts of each pair of a batch do with the work of its blocks in a step.
+using BatchWork = ContactWork<PerLane<double>>;
 /// Results that are needed for output only.
 struct alignas(64) ReadingRow {
   PerLane<double> overlap;                    ///< [L] >= 0
@@ -75,6 +78,7 @@ struct BatchArrays {
   BatchMarks* marks = nullptr;     ///< (batches)
   PairForce* forces = nullptr;     ///< (batches * lane_count)
   PairStress* stresses = nullptr;  ///< (batches * lane_count) if rigid, for output only
+  BatchWork* works = nullptr;      ///< (batches) if has_account
   ContactRow* contacts = nullptr;  ///< (rows)
   ContactTests* tests = nullptr;   ///< (rows)
   ContactStates* states = nullptr;  ///< (rows)
@@ -86,6 +90,7 @@ struct BatchArrays {
   JointRow* joints = nullptr;           ///< (rows) at the start of the step
   JointRow* advanced_joints = nullptr;  ///< (rows) at the end of the step
   LawColumns laws;
+  bool has_account = false;  ///< the model keeps an energy account
 };
 
 /// The largest values of all contacts that act in a step.

@@ -199,5 +199,24 @@ BLOCKS_INLINE void add_forces(const BatchArrays& batches, int s,
   }
 }
 
+/// Adds what the contacts of a row do with their work to the sums of their pairs.
+/// energy(state): that of its springs.
+template <class Energy>
+BLOCKS_INLINE void
+add_work(BatchWork& sums, int i, Choice acts, double dt,
+         const ContactMotion<Pack>& motion, const ContactState<Pack>& before,
+         const ContactState<Pack>& after, const ContactForce<Pack>& force,
+         Pack is_hysteretic, const Energy& energy) {
+  const auto add = [&](double* sum, const Pack& x) __attribute__((always_inline)) {
+    store(sum, i, load(sum, i) + where(acts, x));
+  };
+  each_work(add, sums,
+            work_of(step_of(dt, motion, before, after, force, is_hysteretic, energy)));
+}
+BLOCKS_INLINE void clear_work(BatchWork& sums, int i) {
+  each_work(
+      [&](double* sum) __attribute__((always_inline)) { store(sum, i, Pack{}); }, sums);
+}
+
 }  // namespace
 }  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

@@ -7,11 +7,21 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
+/// Returns the state of a contact without the law of a joint.
+BLOCKS_INLINE ContactState<Pack> usual_state(const ContactLaw& law, Pack normal,
+                                             Pack shear) {
+  ContactState<Pack> state = {};
+  state.normal = normal, state.shear = shear, state.failed = all_of(1.0);
+  state.stiffness = all_of(law.normal_stiffness);
+  state.shear_stiffness = all_of(law.shear_stiffness);
+  return state;
+}
+
 /// Steps b. to e. for row s.
 template <bool rigid, bool readings, class Sums>
-BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
-                           const Frame& at, Pack damping, const ContactLaw& law, int i,
-                           Sums& sums, Most& most) {
+BLOCKS_INLINE void act_row(const BatchArrays& batches, int batch, int s,
+                           const Pairs<rigid>& two, const Frame& at, Pack damping,
+                           const ContactLaw& law, int i, Sums& sums, Most& most) {
   const ContactStates& row = batches.states[s];
   const Choice acts = choice_of(load(row.acts, i));
   const Bits starts = load(row.starts, i);
@@ -32,6 +42,15 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   else
     apply<false>(law, normal_elastic, shear_elastic, closing, sliding, at.overlap,
                  damping, Pack{}, normal, shear);
+  if (batches.has_account)
+    add_work(
+        batches.works[batch], i, acts, law.dt,
+        {closing, sliding, at.overlap, damping, where(choice_of(starts), all_of(1.0))},
+        usual_state(law, load(springs.normal_elastic, i),
+                    load(springs.shear_elastic, i)),
+        usual_state(law, normal_elastic, shear_elastic), {normal, shear}, Pack{},
+        [](const ContactState<Pack>& state)
+            __attribute__((always_inline)) { return coulomb_energy(state); });
   normal_elastic = where(acts, normal_elastic);
   SpringRow& advanced = batches.advanced[s];
   store(advanced.normal_elastic, i, normal_elastic);
@@ -51,6 +70,8 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
   const Pack damping = load(pairs.damping, i);
   Sums<stresses> sums;
   Most most;
+  if (batches.has_account)
+    clear_work(batches.works[batch], i);
   // The frames of some rows are computed before the forces of these rows. Roots and
   // divisions have a long latency, and those of several rows overlap.
   constexpr int at_once = 4;
@@ -65,8 +86,8 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
       frames[s - first] = frame_of(sides, batches.tests[s], i);
     }
     for (int s = first; s < last; ++s)
-      act_row<rigid, readings>(batches, s, two, frames[s - first], damping, law, i,
-                               sums, most);
+      act_row<rigid, readings>(batches, batch, s, two, frames[s - first], damping, law,
+                               i, sums, most);
   }
   store_sums(batches, batch, sums, i);
   return most;

@@ -104,6 +104,8 @@ BLOCKS_INLINE LawValues<Pack> values_of(const LawColumns& laws, const int* law,
           at(of.strength_share)};
 }
 
+/// Returns the states at the start of the step. A contact without bond is born with the
+/// residual strength.
 BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, int i) {
   ContactState<Pack> state;
   const auto get = [&](Pack & x, const double* row) __attribute__((always_inline)) {
@@ -112,6 +114,8 @@ BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, i
   get(state.normal, batches.springs[s].normal_elastic);
   get(state.shear, batches.springs[s].shear_elastic);
   each_state(get, state, batches.joints[s]);
+  const Pack born_failed = state.bonded > 0.0 ? state.failed : all_of(1.0);
+  state.failed = state.stiffness > 0.0 ? state.failed : born_failed;
   return state;
 }
 /// Stores the states of the lanes that act, and zeros for the others.
@@ -167,12 +171,48 @@ apply_in_lanes(LawBits laws, Pack kind_of_lane, const LawValues<Pack>& values,
   each_state(put, state, own);
 }
 
+/// Returns the energy of the springs. kind: the only kind of law; 0: `kinds`.
+template <LawBits kind>
+BLOCKS_INLINE Pack energy_of(Pack kinds, const LawValues<Pack>& values,
+                             const ContactState<Pack>& state) {
+  if constexpr (kind == coulomb_bit)
+    return coulomb_energy(state);
+  else if constexpr (kind == walton_bit)
+    return walton_energy(values, state);
+  else if constexpr (kind == barton_bit)
+    return barton_energy(values, state);
+  else
+    return kinds == static_cast<double>(barton_bit)   ? barton_energy(values, state)
+           : kinds == static_cast<double>(walton_bit) ? walton_energy(values, state)
+                                                      : coulomb_energy(state);
+}
+/// Adds what the contacts of row s do with their work.
+template <LawBits kind>
+BLOCKS_INLINE void
+add_joint_work(const BatchArrays& batches, int batch, int s, int i, Choice acts,
+               double dt, const ContactMotion<Pack>& motion,
+               const LawValues<Pack>& values, const ContactState<Pack>& after,
+               const ContactForce<Pack>& force) {
+  ContactState<Pack> before = load_state(batches, s, i);
+  before.stiffness = after.stiffness, before.shear_stiffness = after.shear_stiffness;
+  before.length = after.length;
+  const Pack kinds =
+      kind != 0 ? all_of(kind) : gather(batches.laws.bit, batches.faces[s].law + i);
+  add_work(
+      batches.works[batch], i, acts, dt, motion, before, after, force,
+      kinds == static_cast<double>(walton_bit) ? all_of(1.0) : Pack{},
+      [&](const ContactState<Pack>& state) __attribute__((always_inline)) {
+        return energy_of<kind>(kinds, values, state);
+      });
+}
+
 /// Steps a. to e. for row s. kind: the only kind of law in the batch; 0: several.
 template <LawBits kind, bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void
-act_joint_row(const BatchArrays& batches, const BatchPairs& pairs, int s,
-              const Sides& sides, const BlockState& blocks, const Pairs<rigid>& two,
-              Pack damping, const ContactLaw& usual, int i, Sums& sums, Most& most) {
+act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
+              const BlockState& blocks, const Pairs<rigid>& two, Pack damping,
+              const ContactLaw& usual, int i, Sums& sums, Most& most) {
+  const BatchPairs& pairs = batches.pairs[batch];
   const Frame at = frame_of(sides, batches.tests[s], i);
   const ContactStates& row = batches.states[s];
   const Choice acts = choice_of(load(row.acts, i));
@@ -182,9 +222,6 @@ act_joint_row(const BatchArrays& batches, const BatchPairs& pairs, int s,
   state.length = length_of(batches, pairs, s, sides, at.per_length, blocks, i);
   const int* const law = batches.faces[s].law + i;
 
-  // A contact without bond is born with the residual strength.
-  const Pack born_failed = state.bonded > 0.0 ? state.failed : all_of(1.0);
-  state.failed = state.stiffness > 0.0 ? state.failed : born_failed;
   const LawColumns& laws = batches.laws;
   state.stiffness = stiffness_of(state.stiffness,
                                  law_value(laws.normal_stiffness, law, pairs.only_law),
@@ -215,6 +252,9 @@ act_joint_row(const BatchArrays& batches, const BatchPairs& pairs, int s,
                                state, force);
   }
   store_state(batches, s, i, acts, state);
+  if (batches.has_account)
+    add_joint_work<kind>(batches, batch, s, i, acts, usual.dt, motion, values, state,
+                         force);
   // The run judges springs by the stiffness of STIFF, so it gets the force that would
   // press in a contact of STIFF as far. FN / k would say too much: a contact that
   // received a spring has more force than its overlap.
@@ -244,11 +284,13 @@ Most act_joint_batch(const BatchArrays& batches, int batch, const BlockState& bl
   const Pack damping = load(pairs.damping, i);
   Sums<readings || !rigid> sums;
   Most most;
+  if (batches.has_account)
+    clear_work(batches.works[batch], i);
   for (int k = 0; k < pairs.rows; ++k) {
     const int s = pairs.first_row + k;
     const Sides& sides =
         k < kept ? all[k] : all[0] = Sides(batches.contacts[s], blocks, i);
-    act_joint_row<kind, rigid, readings>(batches, pairs, s, sides, blocks, two, damping,
+    act_joint_row<kind, rigid, readings>(batches, batch, s, sides, blocks, two, damping,
                                          usual, i, sums, most);
   }
   store_sums(batches, batch, sums, i);
