@@ -37,17 +37,23 @@ BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
   store(states.in_doubt, i, load(states.in_doubt, i) & ~held);
 }
 
-/// Returns 1/2 in the lanes where the record beside the contact acts too, otherwise 1.
-BLOCKS_INLINE Pack share_of_end(const BatchArrays& batches, const BatchPairs& pairs,
-                                const double* beside, int i) {
-  const Pack rows = load(beside, i), whole = all_of(1.0), half = all_of(0.5);
-  Pack share = whole;
+/// The shares of the contacts of a row in the two ends of their faces: 1/2 in the lanes
+/// where the record beside the contact acts too, otherwise 1.
+struct Shares {
+  Pack before, after;
+};
+BLOCKS_INLINE Shares shares_of_ends(const BatchArrays& batches, const BatchPairs& pairs,
+                                    const FaceRow& faces, int i) {
+  const Pack before = load(faces.beside_before, i), after = load(faces.beside_after, i);
+  const Pack whole = all_of(1.0), half = all_of(0.5);
+  Shares shares = {whole, whole};
   for (int row = 0; row < pairs.rows; ++row) {
     const Bits acts = load(batches.states[pairs.first_row + row].acts, i);
-    share =
-        rows == static_cast<double>(row) ? where(choice_of(acts), half, share) : share;
+    const Pack share = where(choice_of(acts), half, whole);
+    shares.before = before == static_cast<double>(row) ? share : shares.before;
+    shares.after = after == static_cast<double>(row) ? share : shares.after;
   }
-  return share;
+  return shares;
 }
 
 /// Returns L, the part of the faces that each contact of row s stands for, [L]. The
@@ -79,9 +85,8 @@ BLOCKS_INLINE Pack length_of(const BatchArrays& batches, const BatchPairs& pairs
   };
   const Pack length_before = length(from, from_x, from_y, at, at + from);
   const Pack length_after = length(to, to_x, to_y, at - to, at);
-  const Pack both =
-      length_before * share_of_end(batches, pairs, faces.beside_before, i) +
-      length_after * share_of_end(batches, pairs, faces.beside_after, i);
+  const Shares shares = shares_of_ends(batches, pairs, faces, i);
+  const Pack both = length_before * shares.before + length_after * shares.after;
   return 0.5 * both * per_length;
 }
 

@@ -4,6 +4,8 @@
 // a vector, so the functions have no branches.
 #pragma once
 
+#include <type_traits>
+
 #include "dynamics/kernels/joint_contact.hpp"
 
 namespace blocks::dynamics {
@@ -15,6 +17,21 @@ template <class Number>
 /// Returns x, or 0 if x < 0. The result is never -0.
 template <class Number> [[gnu::always_inline]] inline Number positive(const Number& x) {
   return x > 0.0 ? x : Number{};
+}
+
+/// Returns whether a comparison holds in any lane.
+template <class Comparison>
+[[gnu::always_inline]] inline bool holds_in_any_lane(const Comparison& yes) {
+  if constexpr (std::is_same_v<Comparison, bool>) {
+    return yes;
+  } else {
+    constexpr int lanes = sizeof(Comparison) / sizeof(double);
+    typedef signed char Marks __attribute__((vector_size(lanes)));
+    const Marks marks = __builtin_convertvector(yes, Marks);
+    unsigned long long word = 0;
+    __builtin_memcpy(&word, &marks, lanes);
+    return word != 0;
+  }
 }
 
 /// The closing of a contact in a step.
@@ -105,10 +122,12 @@ apply_strength(const LawValues<Number>& law, double dt, const Number& share,
     shear = limit_shear(trial, limit, dashpot, state.shear_stiffness);
     state.failed = shear.spring == trial ? state.failed : whole;
   };
-  // The second time has residual values where shear failed, and is the same elsewhere.
   Shear<Number> shear;
+  const Number failed = state.failed;
   limited(shear);
-  limited(shear);
+  // The second time has residual values where shear failed, and is the same elsewhere.
+  if (holds_in_any_lane(failed < state.failed))
+    limited(shear);
   state.shear = shear.spring;
   force.shear = shear.force;
   state.slip = state.slip + shear.slip;
