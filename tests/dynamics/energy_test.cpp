@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "dynamics/contact_work.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
