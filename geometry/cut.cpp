@@ -181,14 +181,30 @@ StraightCorners fill_mesh(const CutGraph& graph, const std::vector<Line>& lines,
                      : "give emin and amin, such as 1e-6 of the size of a block");
 }
 
-// Cleans and certifies the cells of a graph. part: what the work takes of the progress.
+// Marks the edges of these joints, and their vertices.
+void protect(CutGraph& graph, const std::vector<int>& joints) {
+  if (joints.empty())
+    return;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    CutGraph::Edge& edge = graph.edges[e];
+    edge.is_protected = edge.alive && std::find(joints.begin(), joints.end(),
+                                                edge.joint) != joints.end();
+    if (edge.is_protected)
+      for (const std::size_t h : {2 * e, 2 * e + 1})
+        graph.vertices[at(graph.origin[h])].is_protected = true;
+  }
+}
+
+// Cleans and certifies the cells of a graph. repair: edges up to this length, [L], are
+// contracted in any case. part: what the work takes of the progress.
 CutResult cleaned(const CutRequest& request, CutGraph graph,
-                  const std::vector<Line>& lines, const CutReport& report, double emin,
-                  const std::pair<double, double>& part) {
+                  const std::vector<Line>& lines, const CutReport& report,
+                  double repair, const std::pair<double, double>& part) {
   const double middle = part.first + (part.second - part.first) / 3.0;
   CutResult result;
   result.report = report;
-  clean(graph, lines, emin, request.amin, result.report,
+  clean(graph, lines, {std::max(request.emin, repair), request.amin, repair},
+        result.report,
         StepProgress(request.progress, "clean cells", part.first, middle));
   const StraightCorners straight = fill_mesh(graph, lines, result);
   make_blocks(result, straight,
@@ -272,15 +288,17 @@ CutResult cut_outline(const CutRequest& request) {
                      StepProgress(request.progress, "round vertices", 0.7, 0.8));
   arrangement.graph = {};
   graph.number_cells();
+  protect(graph, request.protected_joints);
   CutResult result =
-      cleaned(request, graph, arrangement.lines, report, request.emin, {0.8, 0.95});
+      cleaned(request, graph, arrangement.lines, report, 0.0, {0.8, 0.95});
   std::optional<CutFault> fault = find_fault(result, request);
   // Where rounding has destroyed cells, very short edges are contracted as well.
   double begin = 0.95;
   const double unit = largest_unit(corners);
   for (const double units : repair_units) {
     const double emin = units * unit;
-    if (!fault || emin <= request.emin || !(emin * emin < area / 16.0))
+    const bool is_done = emin <= request.emin && request.protected_joints.empty();
+    if (!fault || is_done || !(emin * emin < area / 16.0))
       continue;
     CutResult again =
         cleaned(request, graph, arrangement.lines, report, emin, {begin, begin + 0.01});

@@ -40,8 +40,8 @@ class ExactPoint {
   std::shared_ptr<const exact::SharedPoint> exact_;
 };
 
-/// The largest coordinate of a domain or of a Voronoi point, [L]. Predicates have at most
-/// the sixth power of four times this value, which must be a double.
+/// The largest coordinate of a domain or of a Voronoi point, [L]. Predicates have at
+/// most the sixth power of four times this value, which must be a double.
 inline constexpr double largest_coordinate = 0x1p100;
 
 /// A straight piece of a joint. Pieces may cross, overlap and leave the outline.
@@ -59,6 +59,9 @@ struct CutRequest {
   std::vector<JointSegment> joints;
   double emin = 0.0;  ///< [L] >= 0: shorter edges are contracted; 0: none
   double amin = 0.0;  ///< [L^2] >= 0: smaller cells are merged; 0: none
+  /// Joint ids whose vertices cleaning does not move, and whose edges it does not merge
+  /// away.
+  std::vector<int> protected_joints = {};
   /// Called before and during each step of the work; may throw to stop it.
   ProgressFunction progress;
 };
@@ -144,6 +147,8 @@ class CutError : public std::runtime_error {
 /// merged into the neighbour with the longest common chain. If cells are still not
 /// simple, edges shorter than 4, 64 or 1024 units in the last place of the largest
 /// coordinate are contracted as well; the report has this length.
+/// Vertices on protected joints do not move, and simple cells are not merged across
+/// these joints. Only this repair may move such a vertex, by edges of that length.
 ///
 /// Throws CutError if the outline is not simple and clockwise, a coordinate is not
 /// finite, or the certificate does not hold; the error has the place.

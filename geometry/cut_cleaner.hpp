@@ -16,10 +16,11 @@ namespace blocks::geometry {
 /// The graph must outlive the cleaner, and its cells have numbers.
 class CutCleaner {
  public:
-  CutCleaner(CutGraph& graph, const std::vector<exact::Line>& lines, CutReport& report,
-             StepProgress& progress)
-      : graph_(graph), lines_(lines), report_(report), progress_(progress),
-        validity_(graph) {}
+  /// repair: as in CleaningLimits.
+  CutCleaner(CutGraph& graph, const std::vector<exact::Line>& lines, double repair,
+             CutReport& report, StepProgress& progress)
+      : graph_(graph), lines_(lines), repair_(repair), report_(report),
+        progress_(progress), validity_(graph) {}
 
   /// Contracts edges shorter than emin, and those of length 0, the shortest first.
   void contract_below(double emin);
@@ -74,6 +75,8 @@ class CutCleaner {
   bool has_only_cells_between(int half_edge) const;
   bool may_change_bad_cell(int half_edge, int u) const;
   bool may_move(int half_edge);
+  /// Whether protection keeps the origin of the half-edge from moving to its target.
+  bool is_held(int half_edge) const;
   void contract(int half_edge);
   void remove_digon(int half_edge);
   bool lies_on(const CutGraph::Vertex& vertex, int line) const;
@@ -83,6 +86,7 @@ class CutCleaner {
 
   CutGraph& graph_;
   const std::vector<exact::Line>& lines_;
+  double repair_;  ///< [L] longest edge that moves a protected vertex
   CutReport& report_;
   StepProgress& progress_;
   CellValidity validity_;

@@ -18,15 +18,15 @@ bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines
           exact::parallel(lines[CutGraph::at(a.line)], lines[CutGraph::at(b.line)]));
 }
 
-void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
-           double amin, CutReport& report, StepProgress progress) {
-  CutCleaner cleaner(graph, lines, report, progress);
+void clean(CutGraph& graph, const std::vector<exact::Line>& lines,
+           const CleaningLimits& limits, CutReport& report, StepProgress progress) {
+  CutCleaner cleaner(graph, lines, limits.repair, report, progress);
   // Edges whose contraction was not possible may be contracted after a merge. Each
   // round removes a vertex or a cell, so the loop ends.
   for (bool changed = true; changed;) {
     const std::size_t merges = report.merges;
-    cleaner.contract_below(emin);
-    cleaner.merge_below(amin);
+    cleaner.contract_below(limits.emin);
+    cleaner.merge_below(limits.amin);
     changed = cleaner.identify_coinciding_vertices() || report.merges > merges;
   }
   if (report.contractions > 0)

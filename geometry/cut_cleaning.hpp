@@ -13,12 +13,18 @@ namespace exact {
 struct Line;
 }
 
+struct CleaningLimits {
+  double emin = 0.0, amin = 0.0;  ///< [L], [L^2] as in CutRequest
+  /// [L] Edges up to this length may also move protected vertices.
+  double repair = 0.0;
+};
+
 /// Contracts edges and merges cells as described at cut_outline. Requires numbered
 /// cells, and vertices in an order that does not depend on that of the joints. A
 /// cell that is simple and clockwise remains so; another one may stay as it is. lines:
 /// of the segments.
-void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
-           double amin, CutReport& report, StepProgress progress);
+void clean(CutGraph& graph, const std::vector<exact::Line>& lines,
+           const CleaningLimits& limits, CutReport& report, StepProgress progress);
 
 /// Tests whether the two edges of a vertex of degree two are collinear and may become
 /// one: they have one joint id, and the vertex is not a corner of the outline.

@@ -59,9 +59,16 @@ bool CutCleaner::may_change_bad_cell(int half_edge, int u) const {
   return loop.size() > 2 && has_distinct_vertices(loop);
 }
 
+bool CutCleaner::is_held(int half_edge) const {
+  return graph_.from(half_edge).is_protected &&
+         graph_.length(at(half_edge) / 2) > repair_;
+}
+
 // Tests whether the origin of the half-edge may move to its target.
 bool CutCleaner::may_move(int half_edge) {
   const int v = graph_.origin[at(half_edge)], u = graph_.target(half_edge);
+  if (is_held(half_edge))
+    return false;
   if (rank(v) == 2 || rank(v) > rank(u))
     return false;
   if (rank(v) == 1 && !graph_.edge(half_edge).outline)
@@ -107,6 +114,9 @@ void CutCleaner::remove_digon(int half_edge) {
   if (kept.line < 0 || gone.outline)
     kept.line = gone.line;
   kept.outline = kept.outline || gone.outline;
+  if (kept.is_protected != gone.is_protected)
+    kept.joint = gone.joint = kept.is_protected ? kept.joint : gone.joint;
+  kept.is_protected = kept.is_protected || gone.is_protected;
   kept.joint = kept.outline                         ? 0
                : kept.joint == 0 || gone.joint == 0 ? kept.joint + gone.joint
                                                     : std::min(kept.joint, gone.joint);
@@ -116,6 +126,7 @@ void CutCleaner::remove_digon(int half_edge) {
 void CutCleaner::contract(int half_edge) {
   const int v = graph_.origin[at(half_edge)], u = graph_.target(half_edge);
   CutGraph::Vertex &gone = graph_.vertices[at(v)], &kept = graph_.vertices[at(u)];
+  kept.is_protected = kept.is_protected || gone.is_protected;
   report_.largest_move =
       std::max(report_.largest_move, (gone.place - kept.place).norm());
   ++report_.contractions;

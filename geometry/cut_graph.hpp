@@ -21,6 +21,7 @@ class CutGraph {
     int joint = 0;  ///< joint id
     bool outline = false;
     bool alive = true;
+    bool is_protected = false;  ///< no merge removes it
   };
   struct Vertex {
     Vec2 place = Vec2::Zero();    ///< [L]
@@ -29,6 +30,7 @@ class CutGraph {
     int half_edge = -1;           ///< one that begins here; -1: none is left
     int corner = -1;              ///< corner of the outline, from 0; -1: none
     int side = -1;                ///< side of the outline that contains it; -1: none
+    bool is_protected = false;    ///< no contraction moves it
   };
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;

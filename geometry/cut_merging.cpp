@@ -71,6 +71,7 @@ bool CutCleaner::try_merge(int cell, std::map<int, int>& first) {
   struct Chain {
     double length = 0.0;
     int runs = 0;
+    bool is_protected = false;
     std::size_t begin = 0, end = 0;
   };
   std::map<int, Chain> chains;
@@ -82,10 +83,12 @@ bool CutCleaner::try_merge(int cell, std::map<int, int>& first) {
     }
     chain.end = i + 1;
     chain.length += graph_.length(at(sides[i]) / 2);
+    chain.is_protected = chain.is_protected || graph_.edge(sides[i]).is_protected;
   }
   std::vector<std::pair<double, int>> order;
+  const bool is_broken = !validity_.is_valid(begin);
   for (const auto& [neighbour, chain] : chains)
-    if (neighbour >= 0 && chain.runs == 1)
+    if (neighbour >= 0 && chain.runs == 1 && (is_broken || !chain.is_protected))
       order.emplace_back(-chain.length, neighbour);
   std::sort(order.begin(), order.end());
   for (const auto& [length, neighbour] : order) {

@@ -165,6 +165,58 @@ TEST(CutOutline, ShortEdgesAreContracted) {
   expect_tiling(result);
 }
 
+// A perimeter with id 9 in a network that cleaning changes: all its vertices keep their
+// places, and its cells keep its sides.
+TEST(CutOutline, ProtectedJointsStayWhereTheyAre) {
+  const auto perimeter = joints("3 3 3 7 3 7 7 7 7 7 7 3 7 3 3 3", 9);
+  std::size_t moved = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CutRequest cuts = request(ten, random_joints(60, 2.5, seed));
+    cuts.joints.insert(cuts.joints.end(), perimeter.begin(), perimeter.end());
+    const auto length_off = [&](const CutResult& result) {
+      double sum = 0.0;  // of the edges that are on the perimeter
+      for (const CutBlock& block : result.blocks)
+        for (std::size_t i = 0; i < block.corners.size(); ++i) {
+          const auto place = [&](std::size_t k) {
+            return result.mesh.vertices[static_cast<std::size_t>(
+                block.corners[k % block.corners.size()])];
+          };
+          const Vec2 a = place(i), b = place(i + 1);
+          for (const int axis : {0, 1})
+            if (a[axis] == b[axis] && (a[axis] == 3.0 || a[axis] == 7.0) &&
+                std::min(a[1 - axis], b[1 - axis]) >= 3.0 &&
+                std::max(a[1 - axis], b[1 - axis]) <= 7.0)
+              sum += (a - b).norm();
+        }
+      return sum;
+    };
+    const double whole = length_off(cut_outline(cuts));
+    EXPECT_NEAR(whole, 32.0, 1e-12);
+    cuts.emin = 0.5;
+    cuts.amin = 0.5;
+    moved += length_off(cut_outline(cuts)) < 31.9 ? 1U : 0U;
+    cuts.protected_joints = {9};
+    const CutResult result = cut_outline(cuts);
+    EXPECT_NEAR(length_off(result), whole, 1e-12) << seed;
+    EXPECT_GT(result.report.contractions, 0U);
+    EXPECT_EQ(result.report.repaired_below, 0.0);
+    expect_tiling(result);
+  }
+  EXPECT_GT(moved, 10U);  // without protection
+}
+
+// What protection keeps short is counted as other edges that remain short are.
+TEST(CutOutline, ShortEdgesOfProtectedJointsAreCounted) {
+  CutRequest cuts = request(ten, joints("0 5 10 5 5 0 5 10 0.001 0 10 9.999"));
+  cuts.emin = 0.01;
+  cuts.protected_joints = {1};
+  const CutResult result = cut_outline(cuts);
+  EXPECT_EQ(result.mesh.cells.size(), 7U);
+  EXPECT_GT(result.report.kept_short, 0U);
+  EXPECT_EQ(result.report.contractions, 0U);
+  expect_tiling(result);
+}
+
 // A joint across a narrow domain cannot be contracted, but the merge removes it.
 TEST(CutOutline, ShortEdgesAreCountedAfterAllCleaning) {
   CutRequest cuts = request("0 0 0 0.05 10 0.05 10 0", joints("5 0 5 0.05"));
