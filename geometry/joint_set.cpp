@@ -344,8 +344,9 @@ class Generator {
     const Vec2 own = turned(dip, direction, track, piece);
     if (own == direction) {
       // What is beyond the window is left out.
-      const Rational from = exact::nearest(at) < low ? Rational(coarse_below(low)) : at;
-      const Rational to = exact::nearest(at + length) > high
+      const Rational from =
+          exact::nearest(at) < low && !set_.whole ? Rational(coarse_below(low)) : at;
+      const Rational to = exact::nearest(at + length) > high && !set_.whole
                               ? Rational(-coarse_below(-high))
                               : Rational(at + length);
       if (from < to)

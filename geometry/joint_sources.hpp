@@ -35,7 +35,8 @@ struct JointSet {
   Spread gap;          ///< [L] between traces of a track; >= 0
   DecimalPoint start;  ///< [L] where track 0 begins with a trace
   JointLaw law = JointLaw::uniform;
-  StreamKey stream;  ///< the seed, and the key of the card
+  StreamKey stream;    ///< the seed, and the key of the card
+  bool whole = false;  ///< traces have their full length beyond the outline too
 };
 
 /// The largest number of tracks, traces or points that a generator makes.
@@ -88,6 +89,13 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request,
 /// of segments; exact if there are fewer pairs. The same segments give the same number.
 double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& low,
                         const Vec2& high);
+
+/// Returns the traces, each ended on both sides of its middle where it first meets one
+/// of the joints, exactly. A joint through the middle ends it towards its first end;
+/// joints along a trace do not end it. Joints need not be inside the outline.
+std::vector<JointSegment> ended_at(const std::vector<JointSegment>& traces,
+                                   const std::vector<JointSegment>& joints,
+                                   const ProgressFunction& progress = {});
 
 /// What prolonged did.
 struct Prolongation {

@@ -197,6 +197,41 @@ TEST(Prolonged, ReachesTheOtherJointExactly) {
   testing::expect_tiling(cut);
 }
 
+// The part with the middle remains; a joint that only touches the line of the trace
+// beyond its end, or runs along it, does not end it.
+TEST(EndedAt, KeepsThePartAroundTheMiddle) {
+  const auto traces = joints("2 0 2 10 4 0 4 3 6 2 6 8");
+  const auto beds = joints("0 1 10 1 0 4 10 4 0 9 10 9 4 0 4 10 6 5 9 5", 7);
+  const auto ended = ended_at(traces, beds);
+  EXPECT_EQ(ended[0].from.nearest(), Vec2(2, 4));
+  EXPECT_EQ(ended[0].to.nearest(), Vec2(2, 9));
+  EXPECT_EQ(ended[1].from.nearest(), Vec2(4, 1));
+  EXPECT_EQ(ended[1].to.nearest(), Vec2(4, 3));
+  EXPECT_EQ(ended[2].from.nearest(), Vec2(6, 5));  // through the middle
+  EXPECT_EQ(ended[2].to.nearest(), Vec2(6, 8));
+  EXPECT_EQ(ended[0].id, traces[0].id);
+}
+
+// The ends are on the beds exactly, whatever the directions: each cross joint between
+// two beds separates two cells, and none is pruned.
+TEST(EndedAt, IsExact) {
+  JointSet beds = set_of("17.3", "1.7");
+  beds.id = 7;
+  JointSet cross = set_of("103.9", "1.1", "6");
+  cross.dip.deviation = number("8");
+  cross.whole = true;
+  const auto layers = joint_set(beds, points(ten));
+  auto network = ended_at(joint_set(cross, points(ten)), layers);
+  EXPECT_GT(network.size(), 40U);
+  network.insert(network.end(), layers.begin(), layers.end());
+  const CutResult result = cut_outline(request(ten, network));
+  testing::expect_tiling(result);
+  // Only what leaves the outline between two beds could be pruned, and that ends at it.
+  EXPECT_LT(result.report.lengths.at(2).pruned, 1e-12);
+  EXPECT_GT(result.report.lengths.at(2).drawn, 30.0);
+  EXPECT_EQ(result.report.x_vertices, 0U);  // no cross joint crosses a bed
+}
+
 // Squares of such lengths are not doubles.
 TEST(Prolonged, TracesMayBeTinyOrEndFarAway) {
   const auto traces = joints("5 5 5 5.00000000000000000000000000001 -1e300 2 0 2 "
