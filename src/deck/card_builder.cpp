@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "deck/block_choices.hpp"
 #include "deck/law_cards.hpp"
 
 namespace blocks::deck {
@@ -42,7 +43,7 @@ Maybe limits(const Fields& f, bool x, Diagnostics& diagnostics) {
 }
 
 Maybe layer(const Fields& f, Diagnostics& diagnostics) {
-  Layer card{f[0].as_int(), f[1].as_int(), {}, f[10].as_word(), {}, {}};
+  Layer card{f[0].as_int(),  f[1].as_int(), {}, f[10].as_word(), {}, {}};
   for (std::size_t i = 0; i < 8; ++i) {
     card.corners[i] = f[i + 2].as_exact();
   }
@@ -77,44 +78,18 @@ Maybe splane(const Fields& f, Diagnostics& diagnostics) {
 Maybe setvel(const Fields& f, Diagnostics& diagnostics) {
   const long nb1 = f[0].integer;
   const long nb2 = f[1].integer;
-  if (nb2 > 0 && nb2 < nb1) {
+  if (!f[0].selector && nb2 > 0 && nb2 < nb1) {
     diagnostics.error(
         f[1].where, "SETVEL",
         fmt::format("nb2 must not be less than nb1, found {} and {}", nb1, nb2),
         "0 means nb1 alone, a negative number means all from nb1 on");
     return {};
   }
-  return SetVel{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real(),
+  if (!has_no_range(f[0], f[1], "SETVEL", diagnostics)) {
+    return {};
+  }
+  return SetVel{f[0].as_choice(), f[1].as_int(), f[2].as_real(), f[3].as_real(),
                 f[4].as_real()};
-}
-
-/// Reads the blocks that REMOVE or FREE names; the outline is added by the parser.
-std::optional<Selection> selection(const Fields& f, const char* card,
-                                   Diagnostics& diagnostics) {
-  const Selection out{
-      f[0].as_int(), f[1].as_int(), f[2].as_int(), f[3].as_int(), {}, {}};
-  const int ways = int{out.nb1.given} + int{out.mat.given} + int{out.nc.given};
-  const auto fault = [&](SourceLocation where, const std::string& message,
-                         const char* hint) {
-    diagnostics.error(where, card, message, hint);
-    return std::nullopt;
-  };
-  if (out.nb2.given && !out.nb1.given) {
-    return fault(out.nb2.where, "nb2 without nb1",
-                 "nb1 is the first block of the range, nb2 the last");
-  }
-  if (ways != 1) {
-    const SourceLocation where = out.nc.given ? out.nc.where : out.mat.where;
-    return fault(where, ways == 0 ? "no blocks are named" : "blocks are named twice",
-                 "give nb1 and nb2, or mat, or nc and an outline");
-  }
-  if (out.nb2.value > 0 && out.nb2.value < out.nb1.value) {
-    return fault(out.nb2.where,
-                 fmt::format("nb2 must not be less than nb1, found {} and {}",
-                             out.nb1.value, out.nb2.value),
-                 "0 means nb1 alone, a negative number means all from nb1 on");
-  }
-  return out;
 }
 
 Maybe fos(const Fields& f, Diagnostics& diagnostics) {
@@ -174,7 +149,7 @@ History history(const Fields& f, const Values& values) {
 Maybe output(const Fields& f, const Values& values) {
   Output card{f[0].as_real(), {}};
   for (const Value& value : values.repeated) {
-    card.blocks.push_back(value.as_int());
+    card.blocks.push_back(value.as_choice());
   }
   return card;
 }
@@ -222,7 +197,10 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Create{f[0].as_int(), f[1].as_int(), f[2].as_int(), {}, {}, {}};
        }},
-      {"READ9", [](F f, V, D) -> Maybe { return Read9{f[0].as_word()}; }},
+      {"READ9",
+       [](F f, V, D) -> Maybe {
+         return Read9{f[0].as_word()};
+       }},
       {"LAYER", [](F f, V, D d) -> Maybe { return layer(f, d); }},
       {"ORIENT",
        [](F f, V, D d) -> Maybe {
@@ -238,29 +216,32 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Gravity{f[0].as_real(), f[1].as_real(), f[2].as_real()};
        }},
-      {"FIX", [](F f, V, D) -> Maybe { return Fix{f[0].as_int()}; }},
+      {"FIX", [](F f, V, D) -> Maybe { return Fix{f[0].as_choice()}; }},
       {"REMOVE",
        [](F f, V, D d) -> Maybe {
-         if (auto blocks = selection(f, "REMOVE", d)) {
+         if (auto blocks = build_selection(f, "REMOVE", d)) {
            return Remove{*std::move(blocks)};
          }
          return {};
        }},
       {"FREE",
        [](F f, V, D d) -> Maybe {
-         if (auto blocks = selection(f, "FREE", d)) {
+         if (auto blocks = build_selection(f, "FREE", d)) {
            return Free{*std::move(blocks)};
          }
          return {};
        }},
       {"PRESSBC",
-       [](F f, V, D) -> Maybe {
-         return PressBc{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real(),
-                        f[4].as_real()};
+       [](F f, V, D d) -> Maybe {
+         if (!has_sides(f, "nblok", "PRESSBC", d)) {
+           return {};
+         }
+         return PressBc{f[0].as_choice(), f[1].as_choice(), f[2].as_real(),
+                        f[3].as_real(), f[4].as_real()};
        }},
       {"FORCE",
        [](F f, V, D) -> Maybe {
-         return Force{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+         return Force{f[0].as_choice(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
        }},
       {"FRICTN", [](F f, V, D) -> Maybe { return Frictn{f[0].as_real()}; }},
       {"SETVEL", [](F f, V, D d) -> Maybe { return setvel(f, d); }},
@@ -285,7 +266,7 @@ const std::map<std::string_view, Builder>& builders() {
        }},
       {"DRIVE",
        [](F f, V, D) -> Maybe {
-         return Drive{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+         return Drive{f[0].as_choice(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
        }},
       {"LOCDAMP", [](F f, V, D) -> Maybe { return Locdamp{f[0].as_real()}; }},
       {"KINDAMP", [](F f, V, D) -> Maybe { return Kindamp{f[0].as_int()}; }},
@@ -296,12 +277,20 @@ const std::map<std::string_view, Builder>& builders() {
                        f[3].as_real(), f[4].as_real(), f[5].as_real()};
        }},
       {"SERVO",
-       [](F f, V, D) -> Maybe {
-         return Servo{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real()};
+       [](F f, V, D d) -> Maybe {
+         if (!has_sides(f, "nb", "SERVO", d)) {
+           return {};
+         }
+         return Servo{f[0].as_choice(), f[1].as_choice(), f[2].as_real(),
+                      f[3].as_real()};
        }},
       {"QUIET",
-       [](F f, V, D) -> Maybe {
-         return Quiet{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real()};
+       [](F f, V, D d) -> Maybe {
+         if (!has_sides(f, "nb", "QUIET", d)) {
+           return {};
+         }
+         return Quiet{f[0].as_choice(), f[1].as_choice(), f[2].as_real(),
+                      f[3].as_real()};
        }},
       {"CRACK",
        [](F f, V, D) -> Maybe {

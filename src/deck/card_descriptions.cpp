@@ -19,6 +19,10 @@ std::string_view kind_name(Kind kind) {
     return "decimal";
   case Kind::word:
     return "word";
+  case Kind::block:
+    return "block";
+  case Kind::side:
+    return "side";
   }
   return "";
 }

@@ -66,6 +66,31 @@ Value read_word(const Field& field, const FieldSpec& spec, std::string_view card
   return value;
 }
 
+/// Reads a block or a side that is not given by its number.
+Value read_choice(const Field& field, const FieldSpec& spec, std::string_view card,
+                  Diagnostics& diagnostics) {
+  Value value{.where = field.where, .given = true};
+  try {
+    value.selector = read_selector(field.text);
+  } catch (const SelectorFault& fault) {
+    SourceLocation part = field.where;
+    part.column += static_cast<int>(fault.at) + int{field.quoted};
+    part.length = static_cast<int>(fault.length);
+    diagnostics.error(field.where.column == 0 ? field.where : part, std::string(card),
+                      fault.what(), fault.hint);
+    return value;
+  }
+  const bool of_side = spec.kind == Kind::side;
+  value.ok = of_side ? value.selector->is_of_sides() : value.selector->is_of_blocks();
+  if (!value.ok)
+    diagnostics.error(field.where, std::string(card),
+                      fmt::format("{} does not name {} for {}", value.selector->text,
+                                  of_side ? "sides" : "blocks", spec.name),
+                      fmt::format("{}s have {}", of_side ? "side" : "block",
+                                  of_side ? side_selectors : block_selectors));
+  return value;
+}
+
 Value default_value(const FieldSpec& spec, SourceLocation keyword) {
   Value value{.where = keyword, .ok = true};
   if (spec.kind == Kind::word) {
@@ -205,12 +230,16 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
   if (spec.kind == Kind::word) {
     return read_word(field, spec, card, diagnostics);
   }
+  const bool names = spec.kind == Kind::block || spec.kind == Kind::side;
+  if (names && looks_like_selector(field.text)) {
+    return read_choice(field, spec, card, diagnostics);
+  }
   Value value{.where = field.where, .given = true};
   const auto fault = [&](const std::string& message, std::string hint) {
     diagnostics.error(field.where, std::string(card), message, std::move(hint));
     return value;
   };
-  const bool whole = spec.kind == Kind::integer;
+  const bool whole = spec.kind == Kind::integer || names;
   const Number number = read_number(field.text);
   if (number.fault == NumberFault::not_a_number) {
     return fault(fmt::format("expected a {}number for {}, found {}",

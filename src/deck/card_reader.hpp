@@ -2,6 +2,7 @@
 // --set. Independent of the order of cards.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,9 @@ struct Value {
   long integer = 0;
   geometry::Decimal number = {};
   std::string word = {};
+  std::optional<Selector> selector = {};
 
+  NumberOrSelector as_choice() const { return {as_int(), selector}; }
   Int as_int() const { return {integer, where, given}; }
   Real as_real() const { return {number.value(), where, given}; }
   Exact as_exact() const { return {number, where, given}; }

@@ -14,7 +14,8 @@ namespace blocks::deck {
 enum class Phase { preliminary, problem };
 
 /// Kind of value. `exact` is a decimal kept as written; `real` is its nearest double.
-enum class Kind { integer, real, exact, word };
+/// `block` and `side` are whole numbers or selectors.
+enum class Kind { integer, real, exact, word, block, side };
 
 /// The allowed values. The range includes its ends unless they are open.
 struct Range {

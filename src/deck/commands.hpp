@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "deck/selector.hpp"
 #include "deck/source_location.hpp"
 #include "geometry/decimal.hpp"
 
@@ -26,6 +27,15 @@ using Int = Given<long>;
 using Real = Given<double>;
 using Exact = Given<geometry::Decimal>;  ///< a number that describes geometry
 using Word = Given<std::string>;
+
+/// A block or a side that a field names by its number or by a selector.
+struct NumberOrSelector {
+  Int number;  ///< its value is 0 if there is a selector
+  std::optional<Selector> selector = {};
+
+  bool given() const { return number.given; }
+  SourceLocation where() const { return number.where; }
+};
 
 // Preliminary data, A.1
 struct Start {
@@ -99,7 +109,7 @@ struct Jset {
   SourceLocation where;
   Int id;
   Exact dip, ddev, space, sdev, trace, tdev, gap, gdev, x0, y0;
-  Word law;  ///< UNIFORM, NEGEXP or POISSON
+  Word law;   ///< UNIFORM, NEGEXP or POISSON
 };
 struct Traces {
   SourceLocation where;
@@ -131,15 +141,19 @@ struct Gravity {
   Real tramp;  ///< not in the report
 };
 struct Fix {
-  Int nblok;
+  NumberOrSelector nblok;
 };
-/// The blocks that REMOVE and FREE name: a range of numbers, a material, or all blocks
-/// inside an outline. Exactly one of nb1, mat and nc is given.
+/// The blocks that REMOVE and FREE name: a range of numbers, a selector, a material, or
+/// all blocks inside an outline. Exactly one of nb1, mat and nc is given.
 struct Selection {
-  Int nb1, nb2;  ///< nb2: 0 for nb1 alone, negative for all from nb1 on
+  NumberOrSelector nb1;
+  Int nb2;  ///< 0 for nb1 alone, negative for all from nb1 on
   Int mat;
   Int nc;
+  Word rule;                ///< for an outline: INSIDE, also if blank, or CENTROID
   std::vector<Exact> x, y;  ///< [L] (nc) corners of the outline
+
+  bool is_by_centroid() const { return rule.value == "CENTROID"; }
 };
 struct Remove {
   Selection blocks;
@@ -148,18 +162,19 @@ struct Free {
   Selection blocks;
 };  ///< not in the report
 struct PressBc {
-  Int nblok, nside;
+  NumberOrSelector nblok, nside;  ///< nblok may be blank if nside is a selector
   Real p1, p2, tarriv;
 };
 struct Force {
-  Int nblok;
+  NumberOrSelector nblok;
   Real fx, fy, tarriv;
 };
 struct Frictn {
   Real fric;
 };
 struct SetVel {
-  Int nb1, nb2;
+  NumberOrSelector nb1;
+  Int nb2;
   Real vx, vy, tdot;
 };
 struct SetVelM {
@@ -194,7 +209,7 @@ struct Bond {
   Real tol;
 };
 struct Drive {
-  Int nb;
+  NumberOrSelector nb;
   Real vx, vy, tdot;
 };
 // Rest and waves (docs/rest.md, docs/waves.md); not in the report
@@ -211,11 +226,11 @@ struct Insitu {
   Real sxx, syy, sxy, dxx, dyy, dxy;
 };
 struct Servo {
-  Int nb, nside;
+  NumberOrSelector nb, nside;
   Real s, vmax;
 };
 struct Quiet {
-  Int nb, nside;
+  NumberOrSelector nb, nside;
   Real cp, cs;  ///< `given` is false if the elastic constants give them
 };
 // Blocks that split (docs/cracks.md); CRACK is lost from the report
@@ -232,7 +247,7 @@ struct Mdamp {
 struct Dump {};
 struct Output {
   Real dtout;
-  std::vector<Int> blocks;
+  std::vector<NumberOrSelector> blocks;
 };
 struct Plots {
   Real dtplot;              ///< `given` is false if `steps` is

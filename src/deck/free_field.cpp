@@ -4,6 +4,7 @@
 #include <cctype>
 #include <numeric>
 
+#include "deck/selector.hpp"
 #include "deck/suggest.hpp"
 
 namespace blocks::deck {
@@ -75,6 +76,35 @@ Field take_quoted(const std::vector<std::string>& chars, std::size_t& at) {
   return field;
 }
 
+/// Returns where the brackets that open at chars[at] end: just after the closing one,
+/// or `at` if they are not closed before a comment or the end of the line.
+std::size_t end_of_brackets(const std::vector<std::string>& chars, std::size_t at) {
+  for (std::size_t i = at + 1; i < chars.size() && !is_comment(chars[i]); ++i) {
+    if (chars[i] == ")") {
+      return i + 1;
+    }
+  }
+  return at;
+}
+
+/// Reads the field without quotes that begins at chars[at], and moves `at` behind it.
+/// Commas and blanks between brackets belong to it. A selector whose bracket is not
+/// closed has the rest of the line.
+std::string take_plain(const std::vector<std::string>& chars, std::size_t& at) {
+  std::string text;
+  while (at < chars.size() && !ends_field(chars[at])) {
+    std::size_t end = at + 1;
+    if (chars[at] == "(" && ends_in_selector_name(text)) {
+      const std::size_t closed = end_of_brackets(chars, at);
+      end = closed > at ? closed : chars.size();
+    }
+    while (at < end) {
+      text += chars[at++];
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 bool Line::is_data() const {
@@ -87,6 +117,11 @@ bool Line::is_data() const {
   }
   const char c = first.text.front();
   if (!is_letter(c)) {
+    return true;
+  }
+  if (const std::size_t bracket = first.text.find('(');
+      bracket != std::string::npos &&
+      ends_in_selector_name(first.text.substr(0, bracket))) {
     return true;
   }
   // "O.5", with a mistyped zero, is a value as well: no card has a point in its name.
@@ -151,9 +186,7 @@ Line split_fields(std::string_view text, int number) {
       if (c == "'" || c == "\"") {
         field = take_quoted(chars, at);
       } else {
-        while (at < chars.size() && !ends_field(chars[at])) {
-          field.text += chars[at++];
-        }
+        field.text = take_plain(chars, at);
       }
       last = at;
       after_field = true;

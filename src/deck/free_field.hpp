@@ -56,7 +56,8 @@ std::vector<std::string> source_lines(std::string_view text);
 std::vector<std::string> characters(std::string_view line);
 
 /// Splits one line into fields, separated by commas or, between commas, by blanks. `$`
-/// and `!` start a comment. A comma at the end of the line adds no field.
+/// and `!` start a comment. A comma at the end of the line adds no field. Commas and
+/// blanks between the brackets of a selector do not separate fields.
 Line split_fields(std::string_view line, int number);
 
 /// Returns all lines that hold fields. The title after START is stored in the START

@@ -19,12 +19,20 @@ constexpr Range layer_count{-1e6, 1e6, false, false, true};
 /// The fields of REMOVE and FREE.
 std::vector<FieldSpec> selection_fields() {
   using enum Kind;
-  return {{"nb1", integer, "", from_one, "[-]", "block number"},
+  return {{"nb1", block, "", from_one, "[-]", "block number or selector"},
           {"nb2", integer, "", any, "[-]",
            "0 or nb1: block nb1 alone; > nb1: nb1 to nb2; < 0: nb1 to the last so far"},
           {"mat", integer, "", from_one, "[-]", "all blocks of this material"},
           {"nc", integer, "", corners, "[-]",
-           "all blocks inside an outline of nc corners, which follows"}};
+           "all blocks inside an outline of nc corners, which follows"},
+          {"rule",
+           word,
+           "",
+           any,
+           "",
+           "INSIDE or blank: blocks that lie entirely inside the outline; CENTROID: "
+           "blocks whose centroid is inside",
+           {"INSIDE", "CENTROID"}}};
 }
 std::vector<FollowOn> selection_lines() {
   return {{"x1, x2, ..., xnc", "if nc is given: x of the corners of the outline [L], "
@@ -65,42 +73,45 @@ void add_block_cards(std::vector<CardSpec>& cards) {
                 "(radd, zadd).",
        .example = "CLOOP, 5, 0., 1.\nCREATE, 4, 1\n40., 40., 42., 42.\n0., 1., 1., "
                   "0."});
-  cards.push_back({.name = "READ9",
-                   .section = "A.2.3",
-                   .summary = "blocks from a mesh file",
-                   .fields = {{"file", word, "tape9", any, "",
-                               "mesh file (not in the report): text, Gmsh .msh, "
-                               "GENESIS or region records, recognised by content"}},
-                   .notes = "Quote a file name that contains blanks or commas.",
-                   .example = "READ9, mine.msh"});
+  cards.push_back(
+      {.name = "READ9",
+       .section = "A.2.3",
+       .summary = "blocks from a mesh file",
+       .fields =
+           {{"file", word, "tape9", any, "",
+             "mesh file (not in the report): text, Gmsh .msh, "
+             "GENESIS or region records, recognised by content"}},
+       .notes = "Quote a file name that contains blanks or commas.",
+       .example = "READ9, mine.msh"});
   cards.push_back(
       {.name = "LAYER",
        .section = "A.2.4",
        .summary = "a layer of blocks between two lines",
-       .fields = {{"ns",
-                   integer,
-                   {},
-                   layer_count,
-                   "[-]",
-                   "number of blocks; > 0: two lists of widths follow, < 0: even or "
-                   "random widths"},
-                  {"mat", integer, {}, from_one, "[-]", "material number"},
-                  {"x1", exact, {}, any, "[L]", "x of corner 1, bottom left"},
-                  {"y1", exact, {}, any, "[L]", "y of corner 1"},
-                  {"x2", exact, {}, any, "[L]", "x of corner 2, top left"},
-                  {"y2", exact, {}, any, "[L]", "y of corner 2"},
-                  {"x3", exact, {}, any, "[L]", "x of corner 3, top right"},
-                  {"y3", exact, {}, any, "[L]", "y of corner 3"},
-                  {"x4", exact, {}, any, "[L]", "x of corner 4, bottom right"},
-                  {"y4", exact, {}, any, "[L]", "y of corner 4"},
-                  {"rcommand",
-                   word,
-                   "",
-                   any,
-                   "",
-                   "RANDOM with ns < 0: random widths along the mid-line, each block "
-                   "0.2 to 3 times as wide as high",
-                   {"RANDOM"}}},
+       .fields =
+           {{"ns",
+             integer,
+             {},
+             layer_count,
+             "[-]",
+             "number of blocks; > 0: two lists of widths follow, < 0: even or "
+             "random widths"},
+            {"mat", integer, {}, from_one, "[-]", "material number"},
+            {"x1", exact, {}, any, "[L]", "x of corner 1, bottom left"},
+            {"y1", exact, {}, any, "[L]", "y of corner 1"},
+            {"x2", exact, {}, any, "[L]", "x of corner 2, top left"},
+            {"y2", exact, {}, any, "[L]", "y of corner 2"},
+            {"x3", exact, {}, any, "[L]", "x of corner 3, top right"},
+            {"y3", exact, {}, any, "[L]", "y of corner 3"},
+            {"x4", exact, {}, any, "[L]", "x of corner 4, bottom right"},
+            {"y4", exact, {}, any, "[L]", "y of corner 4"},
+            {"rcommand",
+             word,
+             "",
+             any,
+             "",
+             "RANDOM with ns < 0: random widths along the mid-line, each block "
+             "0.2 to 3 times as wide as high",
+             {"RANDOM"}}},
        .follow_on = {{"sb1, sb2, ..., sbns",
                       "ns > 0 only: widths along the bottom line "
                       "[L], > 0, from the left"},
@@ -165,7 +176,12 @@ void add_load_cards(std::vector<CardSpec>& cards) {
   cards.push_back({.name = "FIX",
                    .section = "A.2.9",
                    .summary = "fix a block",
-                   .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"}},
+                   .fields = {{"nblok",
+                               block,
+                               {},
+                               from_one,
+                               "[-]",
+                               "block number, or selector of one or more blocks"}},
                    .notes = "The same as ifix on its CREATE card.",
                    .example = "FIX, 3"});
   cards.push_back(
@@ -174,12 +190,15 @@ void add_load_cards(std::vector<CardSpec>& cards) {
        .summary = "remove blocks",
        .fields = selection_fields(),
        .follow_on = selection_lines(),
-       .notes = "REMOVE, 12, 15 removes blocks 12 to 15; REMOVE, , , 2 removes all "
-                "blocks of material 2. A block is inside the outline if it lies "
-                "entirely within it at that moment; touching is allowed, and so is "
-                "reaching beyond it by 1e-9 of the block. The card acts "
-                "at its place in the deck, so blocks can be removed in stages between "
-                "MOTION cards. The numbers of the other blocks stay.",
+       .notes =
+           "REMOVE, 12, 15 removes blocks 12 to 15; REMOVE, in(0, 0, 4, 3) those "
+           "whose centroid is in the box; REMOVE, , , 2 removes all "
+           "blocks of material 2. A block is inside the outline if it lies "
+           "entirely within it at that moment; touching is allowed, and so is "
+           "reaching beyond it by 1e-9 of the block. With CENTROID a block that "
+           "crosses the outline goes if its centroid is inside or on it. The card acts "
+           "at its place in the deck, so blocks can be removed in stages between "
+           "MOTION cards. The numbers of the other blocks stay.",
        .example = "REMOVE, , , , 4\n39., 39., 43., 43.\n4., 5.5, 5.5, 4."});
   cards.push_back({.name = "FREE",
                    .section = "ours",
@@ -194,13 +213,16 @@ void add_load_cards(std::vector<CardSpec>& cards) {
       {.name = "PRESSBC",
        .section = "A.2.10",
        .summary = "pressure on a side of a block",
-       .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"},
+       .fields = {{"nblok", block, "", from_one, "[-]",
+                   "block number or selector; blank: all blocks, if nside is a "
+                   "selector"},
                   {"nside",
-                   integer,
+                   side,
                    {},
                    from_one,
                    "[-]",
-                   "side number, clockwise: side i runs from corner i to i + 1"},
+                   "side number, clockwise: side i runs from corner i to i + 1; or "
+                   "selector of one or more sides"},
                   {"p1",
                    real,
                    {},
@@ -210,12 +232,20 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                    "inwards"},
                   {"p2", real, {}, any, "[F/L^2]", "pressure at the second corner"},
                   {"tarriv", real, "0", any, "[T]", "arrival time"}},
-       .notes = "Needs a FUNCTION card. Nothing acts before the arrival time.",
+       .notes = "Needs a FUNCTION card. Nothing acts before the arrival time. On the "
+                "sides of an edge or a line, the pressure is linear from p1 at its "
+                "first point to p2 at its second; other sides have p1 and p2 at their "
+                "own corners.",
        .example = "PRESSBC, 12, 2, 1.D6, 1.D6, .001"});
   cards.push_back({.name = "FORCE",
                    .section = "A.2.11",
                    .summary = "force at the centroid of a block",
-                   .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"},
+                   .fields = {{"nblok",
+                               block,
+                               {},
+                               from_one,
+                               "[-]",
+                               "block number, or selector of one block"},
                               {"fx", real, "0", any, "[F]", "in x, times FUNCTION"},
                               {"fy", real, "0", any, "[F]", "in y, times FUNCTION"},
                               {"tarriv", real, "0", any, "[T]", "arrival time"}},
@@ -231,7 +261,12 @@ void add_load_cards(std::vector<CardSpec>& cards) {
       {.name = "SETVEL",
        .section = "A.2.13",
        .summary = "velocities of blocks by number",
-       .fields = {{"nb1", integer, {}, from_one, "[-]", "block number"},
+       .fields = {{"nb1",
+                   block,
+                   {},
+                   from_one,
+                   "[-]",
+                   "block number, or selector of one or more blocks"},
                   {"nb2", integer, "0", any, "[-]",
                    "0 or nb1: block nb1 alone; > nb1: nb1 to nb2; < 0: nb1 to the last "
                    "so far"},
@@ -276,16 +311,16 @@ void add_run_cards(std::vector<CardSpec>& cards) {
       {.name = "OUTPUT",
        .section = "A.2.17",
        .summary = "printed output at intervals of time",
-       .fields =
-           {{"dtout", real, {}, positive, "[T]", "interval"},
-            {"nb",
-             integer,
-             "",
-             from_one,
-             "[-]",
-             "numbers of the blocks printed, any number of them; none: all blocks",
-             {},
-             true}},
+       .fields = {{"dtout", real, {}, positive, "[T]", "interval"},
+                  {"nb",
+                   block,
+                   "",
+                   from_one,
+                   "[-]",
+                   "numbers or selectors of the blocks printed, any number of them; "
+                   "none: all blocks",
+                   {},
+                   true}},
        .notes = "The card may continue on further lines. The state at the start and at "
                 "the end is always printed. --set OUTPUT.nb=1,5 replaces all numbers.",
        .example = "OUTPUT, .1, 1, 5, 9",
@@ -323,7 +358,7 @@ void add_run_cards(std::vector<CardSpec>& cards) {
                    any,
                    "",
                    "quantities, as 'blocks history -q' names them: ke, y:3, y:6-9, "
-                   "y:material=2:p90; none: ke, overlap, contacts",
+                   "y:material=2:p90, y:at(3, 4); none: ke, overlap, contacts",
                    {},
                    true}},
        .notes =
@@ -334,7 +369,9 @@ void add_run_cards(std::vector<CardSpec>& cards) {
            "energy:friction, energy:kinetic, ... are those of the energy account, "
            "which is kept if one of them is named (docs/laws.md). A later "
            "card replaces the earlier one from its place on. Blocks may be made "
-           "after the card. All quantities are on its line; "
+           "after the card, except those of selectors: y:at(3, 4) is a block, "
+           "y:in(0, 0, 9, 5) those in a box, y:nearest(3, 4) a corner. All quantities "
+           "are on its line; "
            "--set HISTORY.quantity=ke,y:3 replaces all of them.",
        .example = "HISTORY, .001, ke, y:3, y:6-9"});
   cards.push_back({.name = "MOTION",

@@ -61,7 +61,9 @@ std::string label_of(const Curve& curve, const std::string& label) {
   if (curve.all_blocks())
     return reduced;
   return reduced + (curve.material.empty()
-                        ? fmt::format(", blocks {} to {}", curve.first, curve.last)
+                        ? (curve.ranges.empty() ? fmt::format(", blocks {} to {}",
+                                                              curve.first, curve.last)
+                                                : ", blocks " + curve.numbers())
                         : ", material " + curve.material);
 }
 

@@ -13,6 +13,10 @@ const char* kind_of(deck::Kind kind) {
     return "whole";
   case deck::Kind::word:
     return "word";
+  case deck::Kind::block:
+    return "block";
+  case deck::Kind::side:
+    return "side";
   case deck::Kind::real:
   case deck::Kind::exact:
     break;

@@ -20,6 +20,7 @@
 #include "output/file_tools.hpp"
 #include "run/check_report.hpp"
 #include "run/interrupt.hpp"
+#include "selectors.hpp"
 #include "signal_watch.hpp"
 #include "text.hpp"
 
@@ -175,6 +176,9 @@ void bind_run(py::module_& module) {
   // The columns belong to the Checked, which never changes.
   py::class_<Checked, std::shared_ptr<Checked>> checked(module, "Checked",
                                                         "See blocks.Assembly.");
+  bind_selectors(checked, [](const Checked& self) -> const Blocks& {
+    return self.deck.model.blocks;
+  });
   const auto column = [&](const char* name, auto member, auto shape) {
     checked.def_property_readonly(name, [member, shape](const py::object& self) {
       const Blocks& all = self.cast<const Checked&>().deck.model.blocks;

@@ -12,6 +12,7 @@
 #include "contact_table.hpp"
 #include "driven_model.hpp"
 #include "names.hpp"
+#include "selectors.hpp"
 #include "text.hpp"
 
 namespace blocks::python {
@@ -48,6 +49,9 @@ void bind_simulation(py::module_& module) {
             self.simulation().write_checkpoint(path);
           },
           py::arg("path"));
+
+  bind_selectors(simulation,
+                 [](DrivenModel& self) -> const Blocks& { return self.blocks(); });
 
   const auto value = [&](const char* name, auto read) {
     simulation.def_property_readonly(name, read);

@@ -14,13 +14,14 @@ namespace blocks::quantities {
 namespace {
 
 using Of = Curve::Of;
+using Ranges = std::vector<std::pair<int, int>>;
 
 /// The quantities of a corner: position, displacement and velocity.
 const std::vector<std::string> corner_names = {
     "x", "y", "dx", "dy", "speed", "displacement", "vx", "vy"};
 
 constexpr const char* places =
-    "after the colon give block 9, its corner 9.2, or several blocks: 6-9 or "
+    "after the colon give block 9, its corner 9.2, or several blocks: 6-9, 6-9/12 or "
     "material=2, alone or with max, min, mean, sum or a percentile from p0 to p100; "
     "for "
     "quantities of contacts also joint=1 or the two blocks 2+3";
@@ -30,6 +31,27 @@ int whole_number(const std::string& digits) {
   const bool fine = !digits.empty() && digits.size() < 10 &&
                     digits.find_first_not_of("0123456789") == std::string::npos;
   return fine ? std::stoi(digits) : 0;
+}
+
+/// Reads ranges such as "6-9/12". Returns false if they do not ascend.
+bool read_ranges(const std::string& where, Curve& curve) {
+  curve.of = Of::blocks;
+  for (std::size_t begin = 0; begin <= where.size();) {
+    const std::size_t end = std::min(where.find('/', begin), where.size());
+    const std::string range = where.substr(begin, end - begin);
+    const std::size_t mark = range.find('-');
+    const int first = whole_number(range.substr(0, mark));
+    const int last =
+        mark == std::string::npos ? first : whole_number(range.substr(mark + 1));
+    const int before = curve.ranges.empty() ? 0 : curve.ranges.back().second;
+    if (first <= before || last < first)
+      return false;
+    curve.ranges.emplace_back(first, last);
+    begin = end + 1;
+  }
+  curve.first = curve.ranges.front().first;
+  curve.last = curve.ranges.back().second;
+  return true;
 }
 
 /// Reads "9", "9.2", "6-9", "2+3", "material=2" or "joint=1". Returns false if it is
@@ -47,6 +69,8 @@ bool read_place(const std::string& where, Curve& curve) {
     curve.joint = whole_number(where.substr(joint.size()));
     return curve.joint > 0;
   }
+  if (where.find('/') != std::string::npos)
+    return read_ranges(where, curve);
   const auto mark = where.find_first_of(".-+");
   curve.first = curve.last = whole_number(where.substr(0, mark));
   curve.of = Of::block;
@@ -89,6 +113,18 @@ void read_where(const std::string& text, const std::string& where, Curve& curve)
   curve.has_statistic = reduced && curve.of_contacts();
 }
 
+/// Returns "6-9/12" of ranges; a single block alone is "6-6", because "6" has no
+/// statistic.
+std::string text_of(const Ranges& ranges) {
+  std::string text;
+  for (const auto& [first, last] : ranges) {
+    text += (text.empty() ? "" : "/") + std::to_string(first);
+    if (last > first || ranges.size() == 1)
+      text += "-" + std::to_string(last);
+  }
+  return text;
+}
+
 /// Lists the quantities of the contacts of a joint or of two blocks.
 std::string contact_quantities() {
   std::string names;
@@ -105,6 +141,28 @@ std::string joint_places(const std::string& name) {
 }
 
 }  // namespace
+
+std::string Curve::numbers() const {
+  return text_of(ranges.empty() ? Ranges{{first, last}} : ranges);
+}
+
+bool Curve::has_block(int number) const {
+  const auto after = std::upper_bound(
+      ranges.begin(), ranges.end(), number,
+      [](int wanted, const auto& range) { return wanted < range.first; });
+  return ranges.empty() || (after != ranges.begin() && number <= (after - 1)->second);
+}
+
+std::string place_of_blocks(const std::vector<int>& blocks) {
+  Ranges ranges;
+  for (const int b : blocks) {
+    if (!ranges.empty() && ranges.back().second == b)
+      ranges.back().second = b + 1;
+    else
+      ranges.emplace_back(b + 1, b + 1);
+  }
+  return text_of(ranges);
+}
 
 std::string Curve::name() const {
   switch (of) {
@@ -126,8 +184,7 @@ std::string Curve::name() const {
   }
   if (all_blocks())
     return fmt::format("{}:{}", quantity, statistic.name());
-  const std::string place =
-      material.empty() ? fmt::format("{}-{}", first, last) : "material=" + material;
+  const std::string place = material.empty() ? numbers() : "material=" + material;
   const bool usual = statistic.how == Statistic::How::mean;
   return fmt::format("{}:{}{}", quantity, place, usual ? "" : ":" + statistic.name());
 }

@@ -165,7 +165,7 @@ double CurveValues::value(const Reader& reader, const State& now,
     const bool other_material =
         !curve.material.empty() &&
         now.blocks.material[static_cast<std::size_t>(b)] != reader.material;
-    if (other_material || now.blocks.is_removed(b))
+    if (other_material || !reader.curve.has_block(b + 1) || now.blocks.is_removed(b))
       continue;
     const double value = of_block(b);
     if (!(is_displacement(curve.quantity) && std::isnan(value)))

@@ -38,6 +38,14 @@ long most_blocks(const Command& command) {
              : 0;
 }
 
+/// Returns the outline of a CUT card as given, with rounded corners.
+geometry::Polygon outline_of_cut(const deck::Cut& card) {
+  std::vector<geometry::DecimalPoint> corners;
+  for (std::size_t i = 0; i < card.outline.x.size(); ++i)
+    corners.push_back({card.outline.x[i].value, card.outline.y[i].value});
+  return geometry::place_outline(corners, {}, 0);
+}
+
 }  // namespace
 
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
@@ -74,10 +82,6 @@ struct Builder::Visitor {
   BlockBuilder builder() {
     return {model,        self.diagnostics_,    command, self.corners_[self.stretch_],
             self.unread_, self.missing_.count()};
-  }
-
-  int block_to_change(const deck::Int& number) {
-    return self.block_to_change(command, number);
   }
 
   // Preliminary data, A.1
@@ -176,6 +180,7 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Layer& card) { builder().layer(card); }
   void operator()(const deck::Cut& card) {
+    self.last_outline_ = outline_of_cut(card);
     CutOptions options{settings.seed, self.options_.folder};
     if (settings.max_blocks > 0)
       options.most_blocks = settings.max_blocks - blocks.size();
@@ -206,12 +211,12 @@ struct Builder::Visitor {
     settings.gravity = {card.gravx.value, card.gravy.value};
   }
   void operator()(const deck::Fix& card) {
-    const int b = block_to_change(card.nblok);
-    if (b < 0)
-      return;
-    blocks.fix(b, Fixity::by_user);
-    end_drive(model, b);
-    model.search.invalidate();
+    for (const int b : self.blocks_named(command, card.nblok)) {
+      blocks.fix(b, Fixity::by_user);
+      end_drive(model, b);
+      model.search.invalidate();
+    }
+    self.perhaps_fixed_ |= card.nblok.selector && !self.in_place_;
   }
   void operator()(const deck::Remove& card) { self.remove(command, card.blocks); }
   void operator()(const deck::Free& card) { self.free(command, card.blocks); }
@@ -219,8 +224,10 @@ struct Builder::Visitor {
   void operator()(const deck::Force& card) { self.push(command, card); }
   void operator()(const deck::Frictn& card) { settings.friction = card.fric.value; }
   void operator()(const deck::SetVel& card) {
-    set_velocity(self.blocks_in_range(command, card.nb1, card.nb2), card.nb1.where,
-                 card);
+    set_velocity(card.nb1.selector
+                     ? self.blocks_named(command, card.nb1)
+                     : self.blocks_in_range(command, card.nb1.number, card.nb2),
+                 card.nb1.where(), card);
   }
   void operator()(const deck::SetVelM& card) {
     set_velocity(self.blocks_of_material(command, card.mat), card.mat.where, card);
@@ -271,12 +278,7 @@ struct Builder::Visitor {
   void operator()(const deck::Crack& card) { self.let_crack(command, card); }
   void operator()(const deck::Mdamp& card) { self.damp_material(command, card); }
   void operator()(const deck::Output& card) {
-    model.output_blocks.clear();
-    constexpr long most = std::numeric_limits<int>::max();
-    for (const deck::Int& number : card.blocks) {
-      model.output_blocks.push_back(
-          static_cast<int>(std::clamp(number.value, 1L, most)) - 1);
-    }
+    model.output_blocks = self.output_blocks(command, card);
     self.output_ = command;  // its blocks may be made later
     model.output = {card.dtout.value, model.time + card.dtout.value};
   }
@@ -294,7 +296,8 @@ struct Builder::Visitor {
   void operator()(const deck::History& card) {
     model.history = {card.dthist.value, {}};
     const quantities::MaterialNumbers numbers = material_numbers(settings);
-    for (const NamedCurve& named : named_curves(command, self.diagnostics_)) {
+    const Command numbered = self.with_numbers(command);
+    for (const NamedCurve& named : named_curves(numbered, self.diagnostics_)) {
       const std::string& material = named.curve.material;
       const int number = quantities::material_number(material, numbers);
       const bool may_be_unread = self.unread_.may_define(number, settings) ||
@@ -303,7 +306,7 @@ struct Builder::Visitor {
         self.error_no_material(command, named.where, material);
       model.history.quantities.push_back(named.curve.name());
     }
-    self.histories_.push_back(command);  // its blocks may be made later
+    self.histories_.push_back(numbered);  // its blocks may be made later
   }
   void operator()(const deck::Dump&) {}
   void operator()(const deck::Save&) {}
@@ -334,6 +337,7 @@ void Builder::apply(const Command& command) {
   take_in_pieces();
   count_blocks(command.where.line);
   const int before = model_.blocks.size();
+  chosen_.clear();
   std::visit(Visitor{*this, command}, command.card);
   plausibility_.test(Moment::card, plan({&command, 1}), command);
   if (model_.blocks.size() == before) {

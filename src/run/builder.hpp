@@ -19,6 +19,7 @@
 #include "geometry/shared_corners.hpp"
 #include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
+#include "model/selection.hpp"
 #include "run/block_makers.hpp"
 #include "run/cut_store.hpp"
 #include "run/missing_blocks.hpp"
@@ -43,6 +44,12 @@ struct BuildOptions {
   /// Whether steps are made at MOTION and CYCLE. If not, the blocks stay where the
   /// cards put them.
   bool moves = true;
+};
+
+/// Sides that a card names, and the line on which a selector has found them.
+struct SelectedSides {
+  std::vector<BlockSide> sides;
+  std::optional<Plane> line = {};
 };
 
 class Builder {
@@ -142,12 +149,56 @@ class Builder {
   /// Returns whether the material is defined. Reports an error if not.
   bool has_material(const deck::Command& command, const deck::Int& number);
 
+  // Selectors, in builder_selectors.cpp. What is removed is never selected.
+  /// Whether the block is removed, or may be removed before the run gets here.
+  bool is_gone(int b) const;
+  /// Returns the blocks of a selector. Reports an error if there are none.
+  std::vector<int> select(const deck::Command& command, deck::SourceLocation where,
+                          const deck::Selector& selector);
+  /// Returns the blocks that a field names, and records the choice of a selector.
+  /// Returns nothing after an error or a warning.
+  std::vector<int> blocks_named(const deck::Command& command,
+                                const deck::NumberOrSelector& named);
+  /// Returns the block that a field names. Returns -1 after an error, which several
+  /// blocks are too, or a warning.
+  int block_named(const deck::Command& command, const deck::NumberOrSelector& named);
+  /// Returns the sides that the fields for a block and a side name, and records the
+  /// choice of a selector. Returns nothing after an error or a warning.
+  SelectedSides sides_named(const deck::Command& command,
+                            const deck::NumberOrSelector& block,
+                            const deck::NumberOrSelector& side);
+  /// Returns the sides of a selector, or nothing after an error.
+  std::optional<SelectedSides> select_sides(const deck::Command& command,
+                                            deck::SourceLocation where,
+                                            const deck::Selector& selector);
+  /// Returns the number of the material of a selector; 0 after an error.
+  int material_of(const deck::Command& command, deck::SourceLocation where,
+                  const deck::Selector& selector);
+  std::vector<int> output_blocks(const deck::Command& command,
+                                 const deck::Output& card);
+  /// Returns a HISTORY card whose selectors are replaced by numbers.
+  deck::Command with_numbers(const deck::Command& command);
+  /// Returns the place of a quantity with numbers; empty after an error.
+  std::string place_of(const deck::Command& command, deck::SourceLocation where,
+                       const deck::Selector& selector);
+  void error_nothing(const deck::Command& command, deck::SourceLocation where,
+                     const deck::Selector& selector, std::string hint);
+  void error_several(const deck::Command& command, const deck::NumberOrSelector& named,
+                     const std::string& how_many);
+  std::string nearest_hint(const Vec2& point) const;
+  std::string time_of_note() const;
+  void note_selected(const deck::Command& command, const deck::Selector& selector,
+                     const std::string& what, const std::vector<int>& chosen);
+  void note_selected_sides(const deck::Command& command, const deck::Selector& selector,
+                           const std::vector<BlockSide>& sides);
+
   // Excavation, in builder_excavation.cpp
   void remove(const deck::Command& command, const deck::Selection& named);
   void free(const deck::Command& command, const deck::Selection& named);
   /// Returns the blocks that the card names, removed ones included. Returns nothing
   /// after an error, or if there are none, with a warning.
-  std::vector<int> select(const deck::Command& command, const deck::Selection& named);
+  std::vector<int> chosen_by(const deck::Command& command,
+                             const deck::Selection& named);
   std::vector<int> select_inside(const deck::Command& command,
                                  const deck::Selection& named);
   /// Records what the card did, for the listing and the report of `check`.
@@ -161,9 +212,10 @@ class Builder {
   void pair_materials(const deck::Command& command, const deck::Jpair& card);
   void bond(const deck::Command& command, const deck::Bond& card);
   void drive(const deck::Command& command, const deck::Drive& card);
-  /// Returns the block of a DRIVE or SERVO card, from 0; -1 after an error or a
-  /// warning.
-  int block_to_drive(const deck::Command& command, const deck::Int& number);
+  /// Returns whether DRIVE or SERVO can act on the block: it is fixed and inside the
+  /// domain. Otherwise reports an error or a warning.
+  bool can_drive(const deck::Command& command, int b,
+                 const deck::NumberOrSelector& named);
   /// Whether a MOTION, CYCLE or SOLVE lies before the present card.
   bool has_moved() const { return stretch_ > 0 || model_.steps > 0; }
   /// Returns the law of this joint id. Reports an error and returns null if no JOINT
@@ -183,12 +235,14 @@ class Builder {
   int side(const deck::Command& command, int b, const deck::Int& number);
   /// Returns whether block b is inside the domain, where blocks move. Otherwise reports
   /// an error, or a warning if the block has left it.
-  bool can_move(const deck::Command& command, int b, const deck::Int& number);
+  bool can_move(const deck::Command& command, int b, deck::SourceLocation where);
 
   // Rest and waves, in builder_rest.cpp and builder_quiet.cpp
   void load_in_situ(const deck::Command& command, const deck::Insitu& card);
   void servo(const deck::Command& command, const deck::Servo& card);
   void make_quiet(const deck::Command& command, const deck::Quiet& card);
+  void make_quiet(const deck::Command& command, const deck::Quiet& card,
+                  const BlockSide& side);
   /// Puts the wave speeds of the card or of the block's material into `quiet`. Returns
   /// false if they cannot be known.
   bool find_speeds(const deck::Command& command, const deck::Quiet& card,
@@ -238,6 +292,10 @@ class Builder {
   /// Blocks inside the outlines of REMOVE cards that acted while not in place. They
   /// remain in the model, because they may be elsewhere when the run removes blocks.
   std::set<int> perhaps_removed_;
+  /// FIX has acted on a selector while not in place, so others may be fixed in the run.
+  bool perhaps_fixed_ = false;
+  std::vector<int> chosen_;         ///< blocks on which the present REMOVE or FREE acts
+  geometry::Polygon last_outline_;  ///< [L] of the last CUT card
   /// The line of a card and its section between motions.
   struct GivenAt {
     int line = 0;

@@ -31,7 +31,7 @@ void Builder::check_deck(std::span<const Command> cards, bool driven) {
 }
 
 Plan Builder::plan(std::span<const Command> cards) const {
-  return {model_, makers_, places_, domain_blocks_, cards};
+  return {model_, makers_, places_, domain_blocks_, cards, chosen_};
 }
 
 void Builder::check_before_motion(const Command& command, bool in_place) {
@@ -122,8 +122,10 @@ void Builder::check_output_blocks() {
     check_history_blocks(command);
   if (!output_)
     return;
-  for (const deck::Int& number : std::get<deck::Output>(output_->card).blocks)
-    if (is_unsure(number.value))
+  for (const auto& [number, selector] : std::get<deck::Output>(output_->card).blocks)
+    if (selector)
+      continue;
+    else if (is_unsure(number.value))
       error_unsure(*output_, number);
     else if (number.value < 1 || number.value > last_number())
       error_no_block(*output_, number);

@@ -38,7 +38,7 @@ bool contains_block(const geometry::Region& region, const Blocks& blocks, int b)
 }  // namespace
 
 void Builder::remove(const Command& command, const deck::Selection& named) {
-  std::vector<int> chosen = select(command, named);
+  std::vector<int> chosen = chosen_by(command, named);
   if (chosen.empty())
     return;
   std::erase_if(chosen, [&](int b) { return model_.blocks.is_removed(b); });
@@ -47,7 +47,9 @@ void Builder::remove(const Command& command, const deck::Selection& named) {
                          "the blocks named here are removed already");
     return;
   }
-  if (named.nc.given && !in_place_)
+  const auto& selector = named.nb1.selector;
+  const bool by_position = named.nc.given || (selector && selector->is_by_position());
+  if (by_position && !in_place_)
     perhaps_removed_.insert(chosen.begin(), chosen.end());
   else
     remove_blocks(model_, chosen);
@@ -55,7 +57,7 @@ void Builder::remove(const Command& command, const deck::Selection& named) {
 }
 
 void Builder::free(const Command& command, const deck::Selection& named) {
-  std::vector<int> chosen = select(command, named);
+  std::vector<int> chosen = chosen_by(command, named);
   if (chosen.empty())
     return;
   const auto chosen_with = [&](Fixity fixity) {
@@ -88,11 +90,14 @@ void Builder::free(const Command& command, const deck::Selection& named) {
                          "the blocks named here are free already");
 }
 
-std::vector<int> Builder::select(const Command& command, const deck::Selection& named) {
+std::vector<int> Builder::chosen_by(const Command& command,
+                                    const deck::Selection& named) {
   if (named.nc.given)
     return select_inside(command, named);
+  if (named.nb1.selector)
+    return select(command, named.nb1.where(), *named.nb1.selector);
   return named.mat.given ? blocks_of_material(command, named.mat)
-                         : blocks_in_range(command, named.nb1, named.nb2);
+                         : blocks_in_range(command, named.nb1.number, named.nb2);
 }
 
 std::vector<int> Builder::select_inside(const Command& command,
@@ -118,17 +123,20 @@ std::vector<int> Builder::select_inside(const Command& command,
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b) || perhaps_removed_.contains(b))
       continue;
-    if (contains_block(region, blocks, b))
+    if (named.is_by_centroid() ? region.contains(Vec2(blocks.centroid.col(b)))
+                               : contains_block(region, blocks, b))
       chosen.push_back(b);
     else if (region.contains(Vec2(blocks.centroid.col(b))))
       ++partly;
   }
   if (chosen.empty() && in_place_ && most_missing(command.where.line) == 0)
     diagnostics_.warning(
-        named.nc.where, command.name, "no block lies entirely inside the outline",
+        named.nc.where, command.name,
+        named.is_by_centroid() ? "no centroid of a block is inside the outline"
+                               : "no block lies entirely inside the outline",
         partly > 0
             ? fmt::format("{} with the centroid inside {} beyond the outline: "
-                          "draw it wider",
+                          "draw it wider, or give the rule CENTROID",
                           counted(partly, "block"), partly == 1 ? "reaches" : "reach")
             : place_hint(command));
   return chosen;
@@ -136,11 +144,11 @@ std::vector<int> Builder::select_inside(const Command& command,
 
 void Builder::note(const Command& command, const char* done,
                    const std::vector<int>& chosen) {
-  notes_.push_back(
-      fmt::format("{} in line {}{}: {} {}: {}", command.name, command.where.line,
-                  in_place_ ? fmt::format(" at time {:g}", model_.time)
-                            : std::string(", if nothing moves before"),
-                  counted(chosen.size(), "block"), done, number_ranges(chosen)));
+  chosen_ = chosen;
+  std::sort(chosen_.begin(), chosen_.end());
+  notes_.push_back(fmt::format(
+      "{} in line {}{}: {} {}: {}", command.name, command.where.line, time_of_note(),
+      counted(chosen.size(), "block"), done, number_ranges(chosen)));
 }
 
 }  // namespace blocks::run

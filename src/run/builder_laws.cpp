@@ -251,26 +251,35 @@ void Builder::bond(const Command& command, const deck::Bond& card) {
         place_hint(command));
 }
 
-int Builder::block_to_drive(const Command& command, const deck::Int& number) {
-  const int b = block_to_change(command, number);
-  if (b < 0)
-    return b;
+bool Builder::can_drive(const Command& command, int b,
+                        const deck::NumberOrSelector& named) {
   if (!model_.blocks.is_free(b))
-    return can_move(command, b, number) ? b : -1;
-  if (!unread_.has("FIX"))  // A FIX card with a fault may have named the block.
+    return can_move(command, b, named.where());
+  // A FIX card with a fault may have named the block, and a selector may name others
+  // when the run gets here.
+  const bool is_certain =
+      in_place_ ||
+      (!perhaps_fixed_ && !(named.selector && named.selector->is_by_position()));
+  if (!unread_.has("FIX") && is_certain)
     diagnostics_.error(
-        number.where, command.name,
+        named.where(), command.name,
         fmt::format("block {} is not fixed", missing_.number_of(b)),
         fmt::format("only fixed blocks can be driven: put FIX, {} before "
                     "this card, or use {} for a free block",
                     missing_.number_of(b),
                     command.name == "SERVO" ? "PRESSBC" : "SETVEL"));
-  return -1;
+  return false;
 }
 
 void Builder::drive(const Command& command, const deck::Drive& card) {
-  if (const int b = block_to_drive(command, card.nb); b >= 0)
-    drive_block(model_, {b, {card.vx.value, card.vy.value}, card.tdot.value});
+  const std::vector<int> chosen = blocks_named(command, card.nb);
+  if (chosen.size() > 1 && card.tdot.value != 0.0) {
+    error_several(command, card.nb, counted(chosen.size(), "block"));
+    return;
+  }
+  for (const int b : chosen)
+    if (can_drive(command, b, card.nb))
+      drive_block(model_, {b, {card.vx.value, card.vy.value}, card.tdot.value});
 }
 
 }  // namespace blocks::run

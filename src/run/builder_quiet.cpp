@@ -42,13 +42,16 @@ bool Builder::find_speeds(const Command& command, const deck::Quiet& card,
 }
 
 void Builder::make_quiet(const Command& command, const deck::Quiet& card) {
-  const int b = block_to_change(command, card.nb);
-  if (b < 0)
-    return;
+  for (const BlockSide& side : sides_named(command, card.nb, card.nside).sides)
+    make_quiet(command, card, side);
+}
+
+void Builder::make_quiet(const Command& command, const deck::Quiet& card,
+                         const BlockSide& side) {
+  const auto [b, its] = side;
   const Blocks& blocks = model_.blocks;
   const Settings& settings = model_.settings;
-  const int its = side(command, b, card.nside);
-  if (its < 0 || !can_move(command, b, card.nb))
+  if (!can_move(command, b, (card.nb.given() ? card.nb : card.nside).where()))
     return;
   QuietSide quiet{.block = b, .side = its};
   if (!find_speeds(command, card, quiet))

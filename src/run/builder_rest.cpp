@@ -94,10 +94,16 @@ void Builder::check_equilibrium(const Command& fos) {
 }
 
 void Builder::servo(const Command& command, const deck::Servo& card) {
-  const int b = block_to_drive(command, card.nb);
-  if (b < 0)
+  const SelectedSides named = sides_named(command, card.nb, card.nside);
+  if (named.sides.empty())
     return;
-  if (const int its = side(command, b, card.nside); its >= 0)
+  if (named.sides.size() > 1) {
+    error_several(command, card.nside.selector ? card.nside : card.nb,
+                  counted(named.sides.size(), "side"));
+    return;
+  }
+  const auto [b, its] = named.sides.front();
+  if (can_drive(command, b, card.nb.given() ? card.nb : card.nside))
     start_servo(model_, {b, its, card.s.value, card.vmax.value});
 }
 

@@ -13,9 +13,10 @@
 namespace blocks::run {
 namespace {
 
-/// Returns the blocks that are partly inside the outline and partly outside it. Removed
-/// blocks do not count.
-std::vector<int> crossed_blocks(const Blocks& blocks, const deck::Selection& named) {
+/// Returns the blocks that are partly inside the outline and partly outside it. Blocks
+/// that were removed before the card do not count; `chosen` are those of the card.
+std::vector<int> crossed_blocks(const Blocks& blocks, const deck::Selection& named,
+                                std::span<const int> chosen) {
   std::vector<geometry::DecimalPoint> corners;
   for (std::size_t i = 0; i < named.x.size(); ++i)
     corners.push_back({named.x[i].value, named.y[i].value});
@@ -28,7 +29,7 @@ std::vector<int> crossed_blocks(const Blocks& blocks, const deck::Selection& nam
   constexpr double rounding = 1e-9;  // part of the block, as in geometry/region.hpp
   std::vector<int> crossed;
   for (int b = 0; b < blocks.size(); ++b) {
-    if (blocks.is_removed(b))
+    if (blocks.is_removed(b) && !std::binary_search(chosen.begin(), chosen.end(), b))
       continue;
     const auto overlaps = geometry::overlapping_pairs({outline, blocks.outline(b)}, {},
                                                       geometry::Figures::quick);
@@ -71,16 +72,32 @@ std::vector<Doubt> doubt_outline(const Plan& plan) {
                                         : nullptr;
   if (named == nullptr || !named->nc.given)
     return {};
-  const std::vector<int> crossed = crossed_blocks(plan.model.blocks, *named);
+  const std::vector<int> crossed =
+      crossed_blocks(plan.model.blocks, *named, plan.chosen);
   if (crossed.empty())
     return {};
-  return {
-      {fmt::format("{} {} the outline: {}", counted(crossed.size(), "block"),
-                   crossed.size() == 1 ? "crosses" : "cross", number_ranges(crossed)),
-       command.name +
-           " acts only on blocks that are entirely inside; CUT may move sides that "
-           "are shorter than emin across the outline",
-       named->nc.where, command.name}};
+  std::string message =
+      fmt::format("{} {} the outline", counted(crossed.size(), "block"),
+                  crossed.size() == 1 ? "crosses" : "cross");
+  if (!named->is_by_centroid())
+    return {{message + ": " + number_ranges(crossed),
+             command.name +
+                 " acts only on blocks that are entirely inside; CUT may move sides "
+                 "that are shorter than emin across the outline",
+             named->nc.where, command.name}};
+  std::vector<int> act, stay;
+  for (const int b : crossed)
+    (std::binary_search(plan.chosen.begin(), plan.chosen.end(), b) ? act : stay)
+        .push_back(b);
+  const char* done = remove != nullptr ? "removed" : "freed";
+  if (!act.empty())
+    message += fmt::format("; {}: {}", done, number_ranges(act));
+  if (!stay.empty())
+    message += fmt::format("; not {}: {}", done, number_ranges(stay));
+  return {{message,
+           "with CENTROID the centroid decides; a cut along the outline makes "
+           "blocks that do not cross it",
+           named->nc.where, command.name}};
 }
 
 std::vector<Doubt> doubt_strength(const Plan& plan) {

@@ -42,6 +42,8 @@ struct Plan {
   int first_block;  ///< the first block that no motion has checked before
   /// The card that has acted, or the whole deck at its end.
   std::span<const deck::Command> cards;
+  /// The blocks on which a REMOVE or FREE card that has just acted has acted.
+  std::span<const int> chosen = {};
 };
 
 /// When a rule is tested: after each card, before each motion at the positions that the

@@ -222,7 +222,10 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       if (changes_model(command))
         executor.card_has_acted();
       // A card that acts on blocks in motion may find others than the check did.
-      tell_new(said, before, executor, job.diagnostics.all());
+      if (!tell_new(said, before, executor, job.diagnostics.all())) {
+        outcome = Outcome::unsound_deck;
+        break;
+      }
     }
     for (const std::string& note : builder.take_notes())
       files.message(note);

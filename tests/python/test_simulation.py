@@ -516,3 +516,27 @@ def test_fos_is_that_of_a_run(tmp_path):
     assert sim.factors_of_safety == [found, below]
     with pytest.raises(blocks.DeckError, match="no SOLVE or INSITU"):
         blocks.Simulation(deck.replace("SOLVE\n", "")).fos()
+
+
+def test_selectors_find_what_the_cards_find(fall):
+    """Numbers of selectors count from 0; those of cards count from 1."""
+    sim = blocks.Simulation(fall)
+    for b in range(3):
+        x, y = sim.centroid[b]
+        assert sim.block_at(x, y) == b
+        assert sim.blocks_in(x - 1e-3, y - 1e-3, x + 1e-3, y + 1e-3).tolist() == [b]
+        corner = sim.corners[sim.first_corner[b] + 1]
+        next_corner = sim.corners[sim.first_corner[b] + 2]
+        assert [b, 1] in sim.sides_on(*corner, *next_corner).tolist()
+    assert sim.blocks_of_material(int(sim.material[0])).tolist() == np.flatnonzero(sim.material == sim.material[0]).tolist()
+    assert sim.sides_of_joint(77).shape == (0, 2)
+    assert sim.nearest_corner(1e6, 1e6)[0] in range(3)
+    with pytest.raises(LookupError, match="no block contains the point"):
+        sim.block_at(1e6, 1e6)
+    with pytest.raises(LookupError, match="no material has the name 'none'"):
+        sim.blocks_of_material("none")
+    x, y = sim.centroid[2]
+    sim.cards.fix(f"at({float(x)!r}, {float(y)!r})")
+    assert not sim.is_free[2]
+    assembly = blocks.check(fall)
+    assert assembly.block_at(*assembly.centroid[1]) == 1

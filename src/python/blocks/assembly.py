@@ -14,11 +14,12 @@ from .dimensions import Units
 from .documented import add_properties
 from .inputs import DeckLike, name_and_text, seed_of, sets_of, whole
 from .notebooks import html_of
+from .selectors import Selectors
 
 __all__ = ["Assembly", "check", "joints", "layers"]
 
 
-class Assembly:
+class Assembly(Selectors):
     """Blocks and their certificate, as `blocks check` makes them. n blocks have m corners.
 
     Arrays cannot be written to.
@@ -50,6 +51,10 @@ class Assembly:
 
     def __len__(self) -> int:
         return len(self._checked)
+
+    @property
+    def _chooser(self) -> _blocks.Checked:
+        return self._checked
 
     @property
     def units(self) -> Units | None:

@@ -13,6 +13,7 @@ from .dimensions import Units
 from .documented import attributes_of
 from .inputs import DeckLike, name_and_text, whole
 from .notebooks import html_of
+from .selectors import Selectors
 from .simulation_cards import SimulationCards
 
 __all__ = ["Simulation", "Solution"]
@@ -52,7 +53,7 @@ class FactorOfSafety(NamedTuple):
     trials: list[Trial]  #: in the order in which they were needed
 
 
-class Simulation(_blocks.Simulation):
+class Simulation(_blocks.Simulation, Selectors):
     """A model that the calling program advances step by step, with the same bits as `blocks run`.
 
     The cards of the deck are executed: START to END, then blocks and loads. MOTION, CYCLE and SOLVE advance
