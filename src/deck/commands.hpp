@@ -110,6 +110,7 @@ struct Jset {
   Int id;
   Exact dip, ddev, space, sdev, trace, tdev, gap, gdev, x0, y0;
   Word law;   ///< UNIFORM, NEGEXP or POISSON
+  Int until;  ///< traces end at joints of this id, if `given`
 };
 struct Traces {
   SourceLocation where;
@@ -126,6 +127,7 @@ struct Cut {
   Outline outline;
   std::vector<std::variant<Jset, Traces, Voronoi>> joints;  ///< at least one
   Exact emin, amin;
+  std::vector<Int> protect = {};  ///< joint ids whose corners cleaning does not move
 };
 struct Orient {
   Exact angmin, angplus;

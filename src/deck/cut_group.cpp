@@ -49,6 +49,10 @@ bool check_set(const Jset& set, Diagnostics& diagnostics) {
     unused(set.dip, "dip", "by POISSON, whose lines have all directions");
     unused(set.ddev, "ddev", "by POISSON, whose lines have all directions");
   }
+  expect(!set.until.given || value(set.trace) > 0.0, {{}, set.until.where, true},
+         "until needs traces that end, and trace is 0",
+         "a joint that runs through crosses the joints at which it would end; give "
+         "trace");
   if (value(set.trace) == 0.0) {
     unused(set.tdev, "tdev", "where joints run through (trace is 0)");
     unused(set.gap, "gap", "where joints run through (trace is 0)");
@@ -138,7 +142,7 @@ bool CutGroup::add(const Part& part, Diagnostics& diagnostics) {
     Jset set{part.where,      f[0].as_int(),   f[1].as_exact(), f[2].as_exact(),
              f[3].as_exact(), f[4].as_exact(), f[5].as_exact(), f[6].as_exact(),
              f[7].as_exact(), f[8].as_exact(), f[9].as_exact(), f[10].as_exact(),
-             f[11].as_word()};
+             f[11].as_word(), f[12].as_int()};
     cut_.joints.emplace_back(set);
     return check_set(set, diagnostics);
   }
@@ -155,6 +159,8 @@ bool CutGroup::add(const Part& part, Diagnostics& diagnostics) {
   }
   cut_.emin = f[0].as_exact();
   cut_.amin = f[1].as_exact();
+  for (const Value& value : part.values.repeated)
+    cut_.protect.push_back(value.as_int());
   return true;
 }
 

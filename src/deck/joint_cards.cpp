@@ -6,6 +6,7 @@ namespace blocks::deck {
 namespace {
 
 constexpr Range joint_id{0, 1e9, false, false, false};
+constexpr Range law_joint_id{1, 1e9, false, false, false};
 // More corners, points or rounds are taken as typing errors.
 constexpr Range outline_corners{3, 1e6, false, false, false};
 constexpr Range points{1, 3e6, false, false, false};
@@ -52,15 +53,19 @@ CardSpec joint_set() {
                   "",
                   "UNIFORM: spacing uniform in space +- sdev; NEGEXP: exponential; "
                   "POISSON: lines of all directions, 1/space length per area",
-                  {"UNIFORM", "NEGEXP", "POISSON"}}},
+                  {"UNIFORM", "NEGEXP", "POISSON"}},
+                 {"until", integer, "", law_joint_id, "[-]",
+                  "joint id of cards above in the group: traces end where they meet "
+                  "its joints; blank: nowhere"}},
       .notes =
           "Stands between OUTLINE and CUT. Track 0 begins at (x0, y0) with a trace; "
-          "further tracks follow on both sides, each with a random phase. Random "
+          "with until, a trace is followed from its middle to both sides. Further "
+          "tracks follow on both sides, each with a random phase. Random "
           "values depend on the seed, on id and on the number of JSET cards with "
           "this id before it in the group, so a set continues across outlines, "
           "and no card changes the values of another.",
       .example = "JSET, 1, 35., 5., 4., .5, 12., 3., 1., .5",
-      .continue_below = 12};
+      .continue_below = 13};
 }
 
 }  // namespace
@@ -118,7 +123,16 @@ std::vector<CardSpec> joint_cards() {
        .fields = {{"emin", exact, "0", not_negative, "[L]",
                    "shorter edges are contracted; 0: none"},
                   {"amin", exact, "0", not_negative, "[L^2]",
-                   "smaller cells are merged into a neighbour; 0: none"}},
+                   "smaller cells are merged into a neighbour; 0: none"},
+                  {"id",
+                   integer,
+                   "",
+                   law_joint_id,
+                   "[-]",
+                   "joint ids whose corners are not moved and whose sides are not "
+                   "merged away, any number of them",
+                   {},
+                   true}},
        .notes = "Ends the group that OUTLINE begins. The cells are certified: they "
                 "fill the outline without overlap or gap. Joints that separate no two "
                 "blocks are removed and reported.",

@@ -311,7 +311,10 @@ void BlockBuilder::warn_of(const deck::Cut& card, const CutRecord& record) {
   if (record.kept_short > 0)
     warning(card.emin.where,
             fmt::format("edges shorter than emin remain: {}", record.kept_short),
-            "contracting them would fold a block or change the outline");
+            card.protect.empty()
+                ? "contracting them would fold a block or change the outline"
+                : "contracting them would fold a block, change the outline or move a "
+                  "corner of a protected joint");
   if (record.kept_small > 0)
     warning(card.amin.where,
             fmt::format("cells smaller than amin remain: {}", record.kept_small),

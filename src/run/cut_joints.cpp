@@ -40,7 +40,8 @@ geometry::JointSet joint_set(const deck::Jset& card, geometry::StreamKey key) {
           card.law.value == "NEGEXP"    ? JointLaw::negexp
           : card.law.value == "POISSON" ? JointLaw::poisson
                                         : JointLaw::uniform,
-          key};
+          key,
+          card.until.given};
 }
 
 class Generator {
@@ -61,6 +62,7 @@ class Generator {
       return {};
     prolong();
     check_crossings();
+    check_protected();
     return sound_ ? std::optional(std::move(made_)) : std::nullopt;
   }
 
@@ -157,10 +159,25 @@ class Generator {
   void generate(const deck::Jset& card) {
     guarded(card.where, "JSET", [&] {
       const std::size_t first = made_.segments.size();
-      add(geometry::joint_set(sets_.at(&card), around_.outline, around_.progress));
+      std::vector<JointSegment> traces =
+          geometry::joint_set(sets_.at(&card), around_.outline, around_.progress);
+      add(card.until.given ? ended(card, traces) : std::move(traces));
       warn_if_far(first, card.where, "JSET", "no joint of this set meets the outline",
                   "reduce space, or move x0, y0");
     });
+  }
+  /// Ends the traces at the joints above that have the id.
+  std::vector<JointSegment> ended(const deck::Jset& card,
+                                  const std::vector<JointSegment>& traces) {
+    std::vector<JointSegment> joints;
+    std::copy_if(
+        made_.segments.begin(), made_.segments.end(), std::back_inserter(joints),
+        [&](const JointSegment& joint) { return joint.id == card.until.value; });
+    if (joints.empty())
+      error(card.until.where, "JSET",
+            fmt::format("no joint above has the id {}", card.until.value),
+            "JSET, TRACES or VORONOI with this id stand before this card in the group");
+    return geometry::ended_at(traces, joints, around_.progress);
   }
   void generate(const deck::Voronoi& card) {
     guarded(card.where, "VORONOI", [&] {
@@ -274,6 +291,17 @@ class Generator {
                             around_.most_blocks)
               : fmt::format("this machine has memory for about {:.2g}: increase space",
                             memory));
+  }
+  /// Warns of protected ids that no joint has.
+  void check_protected() {
+    for (const deck::Int& id : card_.protect)
+      if (std::none_of(made_.segments.begin(), made_.segments.end(),
+                       [&](const JointSegment& joint) { return joint.id == id.value; }))
+        diagnostics_.warning(id.where, "CUT",
+                             fmt::format("no joint of the group has the id {}, so "
+                                         "nothing is protected",
+                                         id.value),
+                             "give the id of a JSET, TRACES or VORONOI card");
   }
   bool has_ends() const {
     return std::any_of(card_.joints.begin(), card_.joints.end(), [](const auto& one) {

@@ -65,6 +65,8 @@ class DomainCutter {
       request.rounded->push_back(corners.place({corner.x.value(), corner.y.value()}));
     request.emin = card_.emin.value.value();
     request.amin = card_.amin.value.value();
+    for (const deck::Int& id : card_.protect)
+      request.protected_joints.push_back(static_cast<int>(id.value));
     if (sound_)
       check_limits(*request.rounded);
     return request;

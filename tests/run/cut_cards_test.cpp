@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -144,6 +145,57 @@ TEST_F(CutCards, AChangedNumberOnOneCardMovesNoJointOfAnother) {
   const auto third = joints_of({{"JSET[3]", "dip", "30"}});
   EXPECT_NEAR(length(third, 2), length(before, 2), 1e-9);
   EXPECT_NEAR(length(third, 3), length(before, 3), 1e-9);
+}
+
+// Beds are 2 apart and traces 5 long, so every cross joint reaches two beds, or a bed
+// and the outline, and none passes a bed.
+TEST_F(CutCards, CrossJointsStopAtBeds) {
+  const std::string beds = "JSET, 1, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0\n",
+                    cross = "JSET, 2, 90, 0, 1, 0, 5, 0, 0, 0, 0.3, 0, UNIFORM";
+  const auto sides = sides_of(model_of(square(beds + cross + ", 1")).blocks, 2);
+  EXPECT_GE(sides.size(), 10U);
+  for (const auto& side : sides) {
+    EXPECT_EQ(side[0], side[2]);
+    const double low = std::min(side[1], side[3]), high = std::max(side[1], side[3]);
+    EXPECT_EQ(high - low, low == -5.0 || high == 5.0 ? 1.0 : 2.0);
+  }
+  // Without it, traces pass beds, and their loose ends are pruned between beds.
+  EXPECT_GT(sides_of(model_of(square(beds + cross)).blocks, 2).size(), sides.size());
+}
+
+TEST_F(CutCards, RefusesTracesThatEndNowhere) {
+  const std::string cross = "JSET, 2, 90, 0, 1, 0, 5, 0, 0, 0, 0.3, 0, UNIFORM, 1",
+                    beds = "JSET, 1, 0, 0, 2";
+  folder_.write("t.deck", start() + square(cross + "\n" + beds) + "CYCLE, 1\n");
+  EXPECT_THAT(
+      blocks("check t.deck", folder_.path()).err,
+      AllOf(HasSubstr("t.deck:15:52: error: JSET: no joint above has the id 1\n"),
+            HasSubstr("stand before this card in the group")));
+  folder_.write("t.deck", start() +
+                              square(beds + "\nJSET, 2, 90, 0, 1, 0, 0, 0, 0, 0, "
+                                            "0, 0, UNIFORM, 1") +
+                              "CYCLE, 1\n");
+  EXPECT_THAT(blocks("check t.deck", folder_.path()).err,
+              HasSubstr("error: JSET: until needs traces that end, and trace is 0\n"));
+}
+
+// Without protection, cleaning moves corners of the perimeter.
+TEST_F(CutCards, ProtectsThePerimeterOfAnOpening) {
+  folder_.write("opening.csv", "x1,y1,x2,y2\n-2,-2,-2,2\n-2,2,2,2\n2,2,2,-2\n2,-2,-2,"
+                               "-2\n");
+  const std::string joints = "TRACES, opening.csv, 9\nJSET, 1, 31, 9, .7, .3\n"
+                             "JSET, 2, 117, 9, .9, .3";
+  const auto length_of = [&](const std::string& cut) {
+    double sum = 0.0;
+    for (const auto& side : sides_of(model_of(square(joints, cut)).blocks, 9))
+      sum += std::hypot(side[2] - side[0], side[3] - side[1]);
+    return sum;
+  };
+  EXPECT_NEAR(length_of("CUT, .3, .1, 9"), 16.0, 1e-9);
+  EXPECT_GT(std::abs(length_of("CUT, .3, .1") - 16.0), 1e-3);
+  folder_.write("t.deck", start() + square(joints, "CUT, .3, .1, 8") + "CYCLE, 1\n");
+  EXPECT_THAT(blocks("check t.deck", folder_.path()).err,
+              HasSubstr("warning: CUT: no joint of the group has the id 8"));
 }
 
 TEST_F(CutCards, EqualSetsContinueInAnotherOutline) {
