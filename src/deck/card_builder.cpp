@@ -42,8 +42,14 @@ Maybe limits(const Fields& f, bool x, Diagnostics& diagnostics) {
   return YLimits{f[0].as_real(), f[1].as_real()};
 }
 
+/// Returns the joint ids of faces, which begin at this field.
+FaceIds face_ids(const Fields& f, std::size_t at) {
+  return {f[at].as_int(), f[at + 1].as_int(), f[at + 2].as_int()};
+}
+
 Maybe layer(const Fields& f, Diagnostics& diagnostics) {
-  Layer card{f[0].as_int(),  f[1].as_int(), {}, f[10].as_word(), {}, {}};
+  Layer card{f[0].as_int(),  f[1].as_int(), {}, f[10].as_word(), {}, {},
+             face_ids(f, 11)};
   for (std::size_t i = 0; i < 8; ++i) {
     card.corners[i] = f[i + 2].as_exact();
   }
@@ -199,7 +205,7 @@ const std::map<std::string_view, Builder>& builders() {
        }},
       {"READ9",
        [](F f, V, D) -> Maybe {
-         return Read9{f[0].as_word()};
+         return Read9{f[0].as_word(), face_ids(f, 1)};
        }},
       {"LAYER", [](F f, V, D d) -> Maybe { return layer(f, d); }},
       {"ORIENT",

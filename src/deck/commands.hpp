@@ -89,14 +89,22 @@ struct Create {
   std::vector<Exact> x, y;
   std::optional<Cloop> loop;  ///< the CLOOP card directly before, if any
 };
+/// Joint ids of faces of blocks, 0: none; not in the report.
+struct FaceIds {
+  Int bottom, top, side;
+
+  bool given() const { return bottom.given || top.given || side.given; }
+};
 struct Read9 {
-  Word file;
-};  ///< the file name is not in the report
+  Word file;  ///< not in the report
+  FaceIds joints = {};
+};
 struct Layer {
   Int ns, mat;
   std::array<Exact, 8> corners;    ///< x1, y1, ..., x4, y4
   Word rcommand;                   ///< RANDOM or blank
   std::vector<Exact> bottom, top;  ///< if ns > 0: ns widths each, short lists completed
+  FaceIds joints = {};
 };
 // A group OUTLINE ... CUT, which the parser joins into the command CUT; not in the
 // report

@@ -11,6 +11,7 @@ namespace blocks::deck {
 namespace {
 
 constexpr Range corners{3, geometry::max_corners, false, false, false};
+constexpr Range face_ids{0, 1e9, false, false, false};
 constexpr Range angle{-80, 80, false, false, false};
 // A layer of more than a million blocks is taken as a typing error. The limit matters
 // because short lists of widths are completed in memory.
@@ -38,6 +39,11 @@ std::vector<FollowOn> selection_lines() {
   return {{"x1, x2, ..., xnc", "if nc is given: x of the corners of the outline [L], "
                                "over as many lines as needed"},
           {"y1, y2, ..., ync", "y of the corners [L], starting on a new line"}};
+}
+
+/// A field with the joint id of some faces.
+FieldSpec face_id(std::string_view name, std::string_view help) {
+  return {name, Kind::integer, "0", face_ids, "[-]", help};
 }
 
 /// Adds the cards for blocks, A.2.1 to A.2.6.
@@ -80,8 +86,16 @@ void add_block_cards(std::vector<CardSpec>& cards) {
        .fields =
            {{"file", word, "tape9", any, "",
              "mesh file (not in the report): text, Gmsh .msh, "
-             "GENESIS or region records, recognised by content"}},
-       .notes = "Quote a file name that contains blanks or commas.",
+             "GENESIS or region records, recognised by content"},
+            face_id("jbot",
+                    "joint id of bottom faces that have none in the file; 0: none"),
+            face_id("jtop",
+                    "joint id of top faces that have none in the file; 0: none"),
+            face_id("jside",
+                    "joint id of other faces that have none in the file; 0: none")},
+       .notes = "Quote a file name that contains blanks or commas. A face "
+                "is a top or a bottom if its outward normal is within 45 "
+                "degrees of the y axis.",
        .example = "READ9, mine.msh"});
   cards.push_back(
       {.name = "LAYER",
@@ -111,7 +125,12 @@ void add_block_cards(std::vector<CardSpec>& cards) {
              "",
              "RANDOM with ns < 0: random widths along the mid-line, each block "
              "0.2 to 3 times as wide as high",
-             {"RANDOM"}}},
+             {"RANDOM"}},
+            face_id("jbot", "joint id of the bottom faces of its blocks; 0: none"),
+            face_id("jtop", "joint id of the top faces; 0: none"),
+            face_id(
+                "jside",
+                "joint id of the faces between its blocks and at its ends; 0: none")},
        .follow_on = {{"sb1, sb2, ..., sbns",
                       "ns > 0 only: widths along the bottom line "
                       "[L], > 0, from the left"},

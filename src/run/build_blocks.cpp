@@ -11,6 +11,7 @@
 #include "geometry/layer.hpp"
 #include "model/counted.hpp"
 #include "run/contact_room.hpp"
+#include "run/face_joints.hpp"
 
 namespace blocks::run {
 
@@ -207,6 +208,7 @@ void BlockBuilder::layer(const deck::Layer& card) {
     if (!has_weight(block.outline, command_.where,
                     fmt::format("block {} of the layer", made.size() + 1)))
       return;
+    give_layer_joints(card.joints, block);
     made.push_back(std::move(block));
   }
   record(cut, number);
@@ -332,7 +334,7 @@ void BlockBuilder::record(const CutOutcome& outcome) {
   }
 }
 
-std::string BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
+std::string BlockBuilder::read_mesh(const deck::Read9& card, const std::string& path) {
   deck::MeshFile mesh;
   try {
     mesh = deck::read_mesh(path);
@@ -360,6 +362,7 @@ std::string BlockBuilder::read_mesh(const deck::Read9&, const std::string& path)
     made.push_back({std::move(block.outline), static_cast<int>(block.material), rho,
                     block.fixed ? Fixity::by_user : Fixity::free, 0,
                     std::move(block.joints)});
+    give_face_joints(card.joints, made.back());
   }
   const int first = model_.blocks.size() + 1;
   append(made);

@@ -183,6 +183,19 @@ TEST_F(SelectorCards, SelectWhereTheBlocksAreInTheRun) {
   EXPECT_THAT(ended.err, HasSubstr("FIX: at(8, 8) selects no block\n"));
 }
 
+// A dipping layer of two blocks: each knows its bottom, top and sides. Faces of a mesh
+// have the ids that the file gives, and others by their direction.
+TEST_F(SelectorCards, FacesOfLayersAndMeshesHaveJointIds) {
+  const Model layer =
+      model_of(preliminary() + "LAYER, -2, 1, 0, 0, -1, 1, 3, 5, 4, 4, , "
+                               "7, 8, 9\n");
+  EXPECT_EQ(layer.blocks.joint, (std::vector<int>{9, 8, 9, 7, 9, 8, 9, 7}));
+  folder_.write("m.txt", "BLOCKS, 1\n5, 1\n0, 0\n0, 2, 3\n1, 3\n2, 2\n2, 0\n");
+  const Model mesh = model_of(preliminary() + "READ9, m.txt, 7, 8, 9\n");
+  // The slanted sides are at 45 degrees, so they are no tops.
+  EXPECT_EQ(mesh.blocks.joint, (std::vector<int>{9, 3, 9, 9, 7}));
+}
+
 // With CENTROID the centroid decides, on the outline too.
 TEST_F(SelectorCards, RemovesByTheCentroid) {
   const std::string outline = "4, {}\n0, 0, 1.5, 1.5\n0, 9, 9, 0\n";
