@@ -1,7 +1,9 @@
 #include "dynamics/energy.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 #include "dynamics/loads.hpp"
 #include "dynamics/point_velocity.hpp"
@@ -44,28 +46,26 @@ double plane_springs(const Model& model) {
   return sum;
 }
 
-/// Returns the energy of the springs in the list of contacts.
-double listed_springs(const Model& model, const LawTable& laws, const WorkSplit& split,
-                      Workers& workers, EnergyMemory& memory) {
-  std::vector<int>& listed = memory.listed;
-  listed.clear();
-  for (int i = 0; i < static_cast<int>(model.contacts.size()); ++i)
-    if (const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
-        model.blocks.may_touch(low, high))
-      listed.push_back(i);
+/// Returns the energy of the springs in the list of contacts. They are added up in the
+/// order of tally_contacts, so that both sums have the same bits.
+double listed_springs(const Model& model, const LawTable& laws) {
   const SpringEnergies springs(model.settings, laws);
-  return tally_all(static_cast<int>(listed.size()), memory.contact_tallies, split,
-                   workers, memory.shares,
-                   [&](int k, ContactTally& tally) {
-                     const int i = listed[k];
-                     tally.after +=
-                         springs
-                             .of(model.contacts[i], model.joint_states.empty()
-                                                        ? nullptr
-                                                        : &model.joint_states[i])
-                             .both();
-                   })
-      .after;
+  double sum = 0.0, of_chunk = 0.0, of_pair = 0.0;
+  std::pair<int, int> last = {-1, -1};
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
+    if (!model.blocks.may_touch(low, high))
+      continue;
+    if (std::pair(low, high) != last)
+      of_chunk += std::exchange(of_pair, 0.0);
+    if (low / items_of_chunk != last.first / items_of_chunk)
+      sum += std::exchange(of_chunk, 0.0);
+    last = {low, high};
+    const JointState* const state =
+        model.joint_states.empty() ? nullptr : &model.joint_states[i];
+    of_pair += springs.of(model.contacts[i], state).both();
+  }
+  return sum + (of_chunk + of_pair);
 }
 
 /// The kinetic and the strain energy of the present state.
@@ -91,8 +91,7 @@ void count_changes(Model& model, EnergyEntry entry, const LawTable& laws,
                    const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
   const BlockTally blocks = present_energy(model, split, workers, memory);
-  const double elastic =
-      listed_springs(model, laws, split, workers, memory) + plane_springs(model);
+  const double elastic = listed_springs(model, laws) + plane_springs(model);
   account.add(entry, account.next_kinetic - blocks.next_kinetic);
   account.add(entry, account.next_strain - blocks.next_strain);
   account.add(entry, account.elastic - elastic);
@@ -179,8 +178,7 @@ void begin_energy(Model& model) {
   account.errors.assign(energy_entries, 0.0);
   account.kinetic = account.next_kinetic = blocks.next_kinetic;
   account.strain = account.next_strain = blocks.next_strain;
-  account.elastic =
-      listed_springs(model, laws, {}, workers, memory) + plane_springs(model);
+  account.elastic = listed_springs(model, laws) + plane_springs(model);
   account.start = account.kinetic + account.strain + account.elastic;
 }
 

@@ -17,7 +17,6 @@ namespace blocks::dynamics {
 
 /// Working memory of the account.
 struct EnergyMemory {
-  std::vector<int> listed;          ///< contacts in the list of the model
   std::vector<BlockMotion> before;  ///< (n) motion before the step
   std::vector<BlockMasses> masses;  ///< (n) before the step
   std::vector<double> damped;  ///< [F L] (n) taken by LOCDAMP and MDAMP in the step

@@ -30,12 +30,13 @@ struct BlockTally {
   void include(const BlockTally& other);
 };
 
+inline constexpr int items_of_chunk = 64;
 /// Adds up visit(i) for all items. Items are added in chunks of a fixed size, and
 /// chunks in their order, so the sum does not depend on the threads.
 template <class Tally, class Visit>
 Tally tally_all(int count, std::vector<Tally>& tallies, const WorkSplit& split,
                 Workers& workers, std::vector<int>& shares, const Visit& visit) {
-  constexpr int chunk = 64, chunks_per_thread = 16;
+  constexpr int chunk = items_of_chunk, chunks_per_thread = 16;
   const int chunks = (count + chunk - 1) / chunk;
   tallies.assign(static_cast<std::size_t>(chunks), {});
   split.split_evenly(chunks, chunks_per_thread, shares);
