@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "deck/free_field.hpp"
 #include "deck_test_tools.hpp"
 
 namespace blocks::deck {
