@@ -240,7 +240,7 @@ TEST(Cards, OutputNamesBlocks) {
   const auto o = card<Output>("OUTPUT, .1, 1, 5,\n9\n");
   EXPECT_EQ(o.dtout.value, .1);
   ASSERT_EQ(o.blocks.size(), 3U);
-  EXPECT_EQ(o.blocks[2].value, 9);
+  EXPECT_EQ(o.blocks[2].number.value, 9);
   EXPECT_TRUE(card<Output>("OUTPUT, .1\n").blocks.empty());
 }
 
