@@ -79,6 +79,31 @@ TEST(Frames, AreWrittenAtTheEndOfEachSolve) {
   EXPECT_EQ(steps_of(folder, "c"), steps_of(folder, "a"));
 }
 
+// Three decks, one file with all frames, and a block that is named by its place.
+TEST(SaveCard, LetsAStudyGoOnInStages) {
+  const TemporaryFolder folder;
+  const std::string same = "-o study -j 1";
+  run_text(folder, "a",
+           preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+               rectangle(0, 1, 1, 2) + rectangle(0, 2, 1, 3) +
+               "GRAVITY, 0, -9.81\nFRICTN, .5\nLOCDAMP\nSOLVE\nSAVE, high\nSTOP\n",
+           same);
+  const char* next = "HISTORY, .01, y:at(.5, 2.5)\n";
+  run_text(folder, "b",
+           std::string("RESTART, high\n") + next +
+               "REMOVE, at(.5, .5)\nSOLVE\nSAVE, low\nSTOP\n",
+           same);
+  run_text(folder, "c", "RESTART, low\nREMOVE, at(.5, .5)\nSOLVE\nSTOP\n", same);
+  const auto stages = summary(folder, "study")["solves"];
+  ASSERT_EQ(stages.size(), 3U);
+  for (const auto& stage : stages)
+    EXPECT_EQ(stage["converged"], true);
+  EXPECT_EQ(steps_of(folder, "study").size(), 4U);
+  EXPECT_EQ(summary(folder, "study")["removed_blocks"], 2);
+  const post::ResultsReader results((folder / "study.vtkhdf").string());
+  EXPECT_NEAR(results.frame(3).centroid(1, 3), 0.5, 0.01);  // of the upper brick
+}
+
 TEST(SaveCard, IsBesideTheOtherFilesOfTheRun) {
   const TemporaryFolder folder;
   run_text(folder, "a", brick + "CYCLE, 5\nSAVE, rest\nSTOP\n", "-o out/x");

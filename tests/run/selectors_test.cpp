@@ -169,15 +169,15 @@ TEST_F(SelectorCards, RefusesWhatSelectsNothingOrTooMuch) {
 
 // After a motion the check cannot know what a selector selects, and the run can.
 TEST_F(SelectorCards, SelectWhereTheBlocksAreInTheRun) {
-  const std::string moving = wall() + "SETVEL, 6, , 1000, 0\nMOTION, .001\n";
-  const std::string deck = moving + "FIX, at(3.5, 1.5)\nDRIVE, at(3.5, 1.5), 0, 0\n"
-                                    "REMOVE, at(.5, .5)\nCYCLE, 1\n";
+  const std::string in_motion = wall() + "SETVEL, 6, , 1000, 0\nMOTION, .001\n";
+  const std::string deck = in_motion + "FIX, at(3.5, 1.5)\nDRIVE, at(3.5, 1.5), 0, 0\n"
+                                       "REMOVE, at(.5, .5)\nCYCLE, 1\n";
   EXPECT_EQ(check(deck).code, 0);
   const Outcome run = run_text(folder_, "later", deck);
   EXPECT_THAT(run.err + slurp(folder_ / "later.out"),
               HasSubstr("at(3.5, 1.5) selects block 6"));
   // A selector that selects nothing ends the run there.
-  folder_.write("none.deck", moving + "FIX, at(8, 8)\nCYCLE, 1\n");
+  folder_.write("none.deck", in_motion + "FIX, at(8, 8)\nCYCLE, 1\n");
   const Outcome ended = blocks("run none.deck", folder_.path());
   EXPECT_NE(ended.code, 0);
   EXPECT_THAT(ended.err, HasSubstr("FIX: at(8, 8) selects no block\n"));
