@@ -155,12 +155,12 @@ TEST(Cards, GravityHasTwoComponents) {
   EXPECT_EQ((V{g.gravx.value, g.gravy.value}), (V{0, -9.8}));
 }
 
-TEST(Cards, FixNamesABlock) { EXPECT_EQ(card<Fix>("FIX, 3\n").nblok.value, 3); }
+TEST(Cards, FixNamesABlock) { EXPECT_EQ(card<Fix>("FIX, 3\n").nblok.number.value, 3); }
 
 TEST(Cards, PressureHasAnArrivalTime) {
   const auto p = card<PressBc>("PRESSBC, 1, 2, 3, 4, 5\n");
-  EXPECT_EQ(p.nblok.value, 1);
-  EXPECT_EQ(p.nside.value, 2);
+  EXPECT_EQ(p.nblok.number.value, 1);
+  EXPECT_EQ(p.nside.number.value, 2);
   EXPECT_EQ((V{p.p1.value, p.p2.value, p.tarriv.value}), (V{3, 4, 5}));
   EXPECT_EQ(card<PressBc>("PRESSBC, 1, 2, 3, 4\n").tarriv.value, 0.0);
 }
@@ -180,7 +180,7 @@ TEST(Cards, FrictionAndDampingAreZeroByDefault) {
 
 TEST(Cards, SetVelNamesARangeOfBlocks) {
   const auto v = card<SetVel>("SETVEL, 2, -1, 3, 4, 5\n");
-  EXPECT_EQ(v.nb1.value, 2);
+  EXPECT_EQ(v.nb1.number.value, 2);
   EXPECT_EQ(v.nb2.value, -1);
   EXPECT_EQ((V{v.vx.value, v.vy.value, v.tdot.value}), (V{3, 4, 5}));
   EXPECT_EQ(card<SetVel>("SETVEL, 2\n").nb2.value, 0);
@@ -231,7 +231,7 @@ TEST(Cards, JpairNamesMaterialsAndBondAJoint) {
 
 TEST(Cards, DriveNamesABlock) {
   const auto d = card<Drive>("DRIVE, 7, 3, 4, 5\n");
-  EXPECT_EQ(d.nb.value, 7);
+  EXPECT_EQ(d.nb.number.value, 7);
   EXPECT_EQ((V{d.vx.value, d.vy.value, d.tdot.value}), (V{3, 4, 5}));
   EXPECT_EQ(card<Drive>("DRIVE, 7\n").vx.value, 0);
 }

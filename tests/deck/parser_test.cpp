@@ -129,8 +129,11 @@ TEST(SettableFields, HaveTheFormOfOverrides) {
                           "OUTPUT.dtout=1", "OUTPUT.nb=4,5", "LAYER.ns=2",
                           "LAYER.mat=1", "LAYER.x1=0", "LAYER.y1=0", "LAYER.x2=0",
                           "LAYER.y2=1", "LAYER.x3=1", "LAYER.y3=1", "LAYER.x4=1",
-                          "LAYER.y4=0", "LAYER.rcommand=", "MOTION[2].dt=2"));
-  EXPECT_THAT(settable_fields("READ9, \"'tis\"\n"), ElementsAre("READ9.file=\"'tis\""));
+                          "LAYER.y4=0", "LAYER.rcommand=", "LAYER.jbot=0",
+                          "LAYER.jtop=0", "LAYER.jside=0", "MOTION[2].dt=2"));
+  EXPECT_THAT(settable_fields("READ9, \"'tis\"\n"),
+              ElementsAre("READ9.file=\"'tis\"", "READ9.jbot=0", "READ9.jtop=0",
+                          "READ9.jside=0"));
 }
 
 TEST(Overrides, MayReplaceAValueOutOfRange) {

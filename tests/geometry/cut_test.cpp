@@ -170,7 +170,7 @@ TEST(CutOutline, ShortEdgesAreContracted) {
 TEST(CutOutline, ProtectedJointsStayWhereTheyAre) {
   const auto perimeter = joints("3 3 3 7 3 7 7 7 7 7 7 3 7 3 3 3", 9);
   std::size_t moved = 0;
-  for (unsigned seed = 0; seed < 20; ++seed) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
     CutRequest cuts = request(ten, random_joints(60, 2.5, seed));
     cuts.joints.insert(cuts.joints.end(), perimeter.begin(), perimeter.end());
     const auto length_off = [&](const CutResult& result) {
@@ -202,7 +202,7 @@ TEST(CutOutline, ProtectedJointsStayWhereTheyAre) {
     EXPECT_EQ(result.report.repaired_below, 0.0);
     expect_tiling(result);
   }
-  EXPECT_GT(moved, 10U);  // without protection
+  EXPECT_GT(moved, 2U);  // without protection
 }
 
 // What protection keeps short is counted as other edges that remain short are.

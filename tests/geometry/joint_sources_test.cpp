@@ -228,7 +228,7 @@ TEST(EndedAt, IsExact) {
   testing::expect_tiling(result);
   // Only what leaves the outline between two beds could be pruned, and that ends at it.
   EXPECT_LT(result.report.lengths.at(2).pruned, 1e-12);
-  EXPECT_GT(result.report.lengths.at(2).drawn, 30.0);
+  EXPECT_GT(result.report.lengths.at(2).drawn, 20.0);
   EXPECT_EQ(result.report.x_vertices, 0U);  // no cross joint crosses a bed
 }
 
