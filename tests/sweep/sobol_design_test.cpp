@@ -10,10 +10,10 @@
 namespace blocks::sweep {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
-std::string fault_of(const std::string& text) {
+std::string design_fault(const std::string& text) {
   try {
     parse_sobol(text);
   } catch (const AxisFault& fault) {
@@ -33,18 +33,18 @@ TEST(SobolDesign, RangesAreRead) {
 
 TEST(SobolDesign, FaultyRangesAreRefused) {
   for (const char* text : {"", "fric=1..2", "A.b", "A.b=1..2,", "=1..2"})
-    EXPECT_THAT(fault_of(text), HasSubstr("expected CARD.field=low..high")) << text;
+    EXPECT_THAT(design_fault(text), HasSubstr("expected CARD.field=low..high")) << text;
   for (const char* text : {"A.b=1", "A.b=1,2", "A.b=1..x", "A.b=..2", "A.b=1..inf"})
-    EXPECT_THAT(fault_of(text), HasSubstr("expected two numbers")) << text;
-  EXPECT_THAT(fault_of("A.b=2..1"), HasSubstr("the low end 2 is not below the high "));
-  EXPECT_THAT(fault_of("A.b=2..2"), HasSubstr("the low end 2 is not below the high "));
-  EXPECT_THAT(fault_of("A.b=1...5"), HasSubstr("two ways")) << "1 to .5 or 1. to 5";
-  EXPECT_THAT(fault_of("A.b=1..2,A.b=3..4"), HasSubstr("A.b is given twice"));
+    EXPECT_THAT(design_fault(text), HasSubstr("expected two numbers")) << text;
+  EXPECT_THAT(design_fault("A.b=2..1"), HasSubstr("the low end 2 is not below the high "));
+  EXPECT_THAT(design_fault("A.b=2..2"), HasSubstr("the low end 2 is not below the high "));
+  EXPECT_THAT(design_fault("A.b=1...5"), HasSubstr("two ways")) << "1 to .5 or 1. to 5";
+  EXPECT_THAT(design_fault("A.b=1..2,A.b=3..4"), HasSubstr("A.b is given twice"));
   std::string nine = "A.a=0..1";
   for (char field = 'b'; field <= 'i'; ++field)
     nine += std::string(",A.") + field + "=0..1";
-  EXPECT_THAT(fault_of(nine), HasSubstr("has 9 parameters, but at most 8"));
-  EXPECT_EQ(fault_of(nine.substr(0, nine.rfind(','))), "no fault");
+  EXPECT_THAT(design_fault(nine), HasSubstr("has 9 parameters, but at most 8"));
+  EXPECT_EQ(design_fault(nine.substr(0, nine.rfind(','))), "no fault");
 }
 
 // 2^m points of a Sobol sequence have one point in each of 2^m intervals of each
