@@ -10,7 +10,7 @@ const std::map<std::string, CommandPage>& command_pages() {
         "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results), "
         "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."}},
       {"fos",
-       {"blocks fos decks/slope/slope.deck -o slope", "",
+       {"blocks fos decks/cut_slope/cut_slope.deck -o slope", "",
         "Runs a deck that ends in equilibrium, and finds the factor of safety by "
         "reduction of strength, as a FOS card behind its last card does. Writes the "
         "files of a run, and those of the last stable and the first failing trial as "

@@ -239,7 +239,9 @@ long ResultsReader::nearest(double time) const {
   const auto closer = [time](double a, double b) {
     return std::abs(a - time) < std::abs(b - time);
   };
-  return std::min_element(times.begin(), times.end(), closer) - times.begin();
+  const auto found = std::min_element(times.begin(), times.end(), closer);
+  // Cards may have changed the model after a frame of the same time.
+  return std::upper_bound(found, times.end(), *found) - 1 - times.begin();
 }
 
 long ResultsReader::at(double time) const {

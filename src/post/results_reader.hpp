@@ -106,7 +106,7 @@ class ResultsReader {
   /// Reads the histories that the run recorded, in the order of time; those without
   /// samples are left out.
   std::vector<RecordedHistory> recorded() const;
-  /// Returns the index of the frame nearest in time.
+  /// Returns the index of the frame nearest in time; the last one of that time.
   long nearest(double time) const;
   /// Returns the same. Throws std::runtime_error, with the first and the last time, if
   /// the time is outside the run.

@@ -299,6 +299,8 @@ def check_commands(source, program):
                 words = shlex.split(line, comments=True)
                 if words[0] == "run":
                     words[0] = "check"
+                elif words[0] == "fos":
+                    words[:] = ["check", words[1]]
                 elif words[0] == "sweep":
                     words.append("--dry-run")
                 words = [re.sub(r"^.*decks/", f"{source}/decks/", word) for word in words]

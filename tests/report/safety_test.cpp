@@ -101,7 +101,7 @@ TEST_F(SafetyReport, HasTheDistributionAndTheShareBelowOne) {
   const std::string table = text("t.csv");
   EXPECT_THAT(table, HasSubstr("\n.2,quantity,fos,,4,0,,0.99375,"));
   EXPECT_THAT(table, HasSubstr("\n.2,quantity,fos<1,,3,1,2,0.666666666666666"));
-  EXPECT_THAT(table, HasSubstr("\n.6,quantity,fos,,3,1,,1.305,"));
+  EXPECT_THAT(table, HasSubstr("\n.6,quantity,fos,,3,1,,1.305"));
   EXPECT_THAT(table, HasSubstr("\n.6,quantity,fos_lower,,4,0,,1.475,"));
   EXPECT_THAT(table, HasSubstr("\n.6,quantity,fos<1,,4,0,0,0,0,0.489"));
   EXPECT_THAT(table, HasSubstr("\n,failure,fos<1,,7,1,2,0.285714285714285"));

@@ -136,10 +136,10 @@ TEST_F(Sweep, FaultyWordsAreRefusedBeforeAnythingIsWritten) {
 TEST_F(Sweep, ASobolDesignIsRunRowByRow) {
   const std::string words =
       "a.deck --sobol FRICTN.fric=.3..0.6,STIFF.stifn=1e8..2e8 -n 2 --seeds 3 ";
-  sweep_well(words + "--set FRACTION.frac=.05 -o s");
+  sweep_well(words + "--set FRACTION.tfrac=.05 -o s");
   EXPECT_THAT(sweep_well("status s").out, HasSubstr("\n8 done\n"));
   const std::string log = slurp(of_run("s", 4, "log.txt"));
-  EXPECT_THAT(log, HasSubstr("run 4: seed 3, FRACTION.frac=.05, FRICTN.fric=0."));
+  EXPECT_THAT(log, HasSubstr("run 4: seed 3, FRACTION.tfrac=.05, FRICTN.fric=0."));
   expect_refused(words + "-o s", "instead of seed 3, FRICTN.fric=");
   expect_refused("a.deck -o s", "its runs are a Sobol design");
   expect_refused("a.deck --sobol FRICTN.fric=.3..0.6 -n 2 --seeds 3 -o s",

@@ -31,6 +31,7 @@ struct OneContact {
   OneContact(Kind of, double kn, double ks) : kind(of) {
     state.stiffness = kn, state.shear_stiffness = ks;
     law.dilation_limit = std::numeric_limits<double>::infinity();
+    law.strength_share = 1.0;
     state.failed = 1.0, state.length = 1.0;
   }
   /// Moves the two sides towards each other by `closing` and along each other by

@@ -159,7 +159,8 @@ class Results(Sequence[Frame]):
         return (self[i] for i in range(len(self)))
 
     def at(self, time: float) -> Frame:
-        """Returns the frame nearest to a time [T]; the earlier one of two equally near.
+        """Returns the frame nearest to a time [T]; the earlier of two times equally near, and the
+        last frame of that time.
 
         Raises:
             ValueError: if the time is outside the run.
@@ -168,7 +169,8 @@ class Results(Sequence[Frame]):
         slack = 1e-3 * (last - first)  # a run ends up to one step late
         if not first - slack <= time <= last + slack:
             raise ValueError(f"{self.path} has times {first:g} to {last:g}, not {time:g}")
-        return self[int(np.argmin(np.abs(self.times - time)))]
+        nearest = self.times[np.argmin(np.abs(self.times - time))]
+        return self[int(np.searchsorted(self.times, nearest, side="right")) - 1]
 
     @functools.cached_property
     def first_state(self) -> tuple[NDArray[np.float64], int]:
