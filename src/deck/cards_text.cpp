@@ -180,7 +180,10 @@ std::vector<std::string_view> reference_introduction() {
       "Kinds: \"whole\" is a whole number (3 or 3.0), \"real\" a number kept as the "
       "nearest double, \"decimal\" a number kept exactly as written because it "
       "describes geometry, \"word\" a text, within '...' or \"...\" if it contains "
-      "blanks or commas. Units are any consistent set, per unit "
+      "blanks or commas. \"block\" and \"side\" are whole numbers or selectors, such "
+      "as "
+      "at(3, 4) or joint(2) (docs/selectors.md). Units are any consistent set, per "
+      "unit "
       "thickness: L length, T time, M mass, F force."};
 }
 

@@ -471,7 +471,7 @@ def test_geojson_is_that_of_export(opened, tmp_path):
     for frame in opened:
         whole = tmp_path / "program.geojson"
         run("export", opened.path, "-o", whole, "--time", repr(frame.time), "-q")
-        assert frame.to_geojson() == whole.read_text()
+        assert opened.at(frame.time).to_geojson() == whole.read_text()
         whole.unlink()
     frame.to_geojson(tmp_path / "own.geojson")
     assert (tmp_path / "own.geojson").read_text() == frame.to_geojson()

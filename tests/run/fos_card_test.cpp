@@ -99,9 +99,8 @@ TEST(FosCard, LosesAtMostOneTrialWhenKilled) {
             -1);
   const Outcome run = blocks("run a.deck --restart a.ckpt.h5", folder.path());
   ASSERT_EQ(run.code, 0) << run.err;
-  // The trials at 1 and 2 were recorded before.
+  // The trial at 1 was recorded before that at 2 began, which may be lost.
   EXPECT_THAT(run.err, Not(HasSubstr("strength / 1:")));
-  EXPECT_THAT(run.err, Not(HasSubstr("strength / 2:")));
   run_text(folder, "b", deck);
   EXPECT_EQ(found(folder, "a"), found(folder, "b"));
 }
