@@ -131,7 +131,7 @@ std::vector<CardSpec> rest_cards() {
            "Each trial starts from the present state, with the strength of all joints "
            "divided by a factor: friction, cohesion and tension, FRICTN too. It is "
            "stable if the forces balance and the fastest block slows down, failing if "
-           "that block gets faster and faster. The factor of safety is between the "
+           "the motion goes on. The factor of safety is between the "
            "largest stable factor and the smallest failing one. Afterwards the model "
            "is as it was. Needs SOLVE or INSITU before it, and damping.",
        .example = "FOS, .02, 1.D-4, 5000"},

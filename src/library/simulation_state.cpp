@@ -232,6 +232,9 @@ void Simulation::State::factor_of_safety(const deck::Fos& card, int line) {
   model.safety_factors.push_back(run::begin_search(card, line));
   const Model base = run::state_before_last(model);
   SafetyFactor& record = model.safety_factors.back();
+  if (std::string lost = run::lost_blocks_warning(record, model.exits.size());
+      !lost.empty())
+    warnings.push_back(std::move(lost));
   try {
     static_cast<void>(run::set_limits(record, base, card, threads, never));
     run::SafetySearch search(base, record, card.as_solve(), threads, threads, never);

@@ -34,7 +34,7 @@ struct SafetyFactor {
   double width = 0.0;  ///< > 0, wanted width of the bracket
   /// bounds given on the card; 0: none, so that they are looked for
   double lower = 0.0, upper = 0.0;
-  /// steps in which the model forgets a disturbance (dynamics::response_steps)
+  /// steps in which the model forgets a disturbance (run::response_steps)
   long response = 0;
   long most_steps = 0;    ///< of a trial
   bool complete = false;  ///< all trials have been made

@@ -14,12 +14,29 @@ std::string place_of(const SafetyFactor& card) {
   return card.line > 0 ? fmt::format("FOS in line {}: ", card.line) : "FOS: ";
 }
 
-/// How the trial with this factor ended; empty if there was none.
-std::string outcome_at(std::span<const SafetyTrial> trials, double factor) {
-  for (const SafetyTrial& trial : trials)
-    if (trial.factor == factor)
-      return describe(trial.outcome);
-  return "";
+const SafetyTrial* trial_at(std::span<const SafetyTrial> trials, double factor) {
+  const auto found = std::find_if(trials.begin(), trials.end(), [&](const auto& trial) {
+    return trial.factor == factor;
+  });
+  return found == trials.end() ? nullptr : &*found;
+}
+
+bool has_undecided(std::span<const SafetyTrial> trials) {
+  return std::any_of(trials.begin(), trials.end(), [](const SafetyTrial& trial) {
+    return trial.outcome == TrialOutcome::undecided;
+  });
+}
+
+/// What to do about a bound at which the model is not what it should be.
+std::string bound_text(const SafetyFactor& card, std::span<const SafetyTrial> trials,
+                       double factor, const char* bound, const char* other) {
+  const SafetyTrial* const trial = trial_at(trials, factor);
+  const bool undecided = trial != nullptr && trial->outcome == TrialOutcome::undecided;
+  return fmt::format("with strength / {:g}, the {} bound, the model is {}: ", factor,
+                     bound, trial == nullptr ? "" : describe(trial->outcome)) +
+         (undecided ? fmt::format("give more than {} with ncycle",
+                                  counted(card.most_steps, "step"))
+                    : fmt::format("give a {} {} bound, or none", other, bound));
 }
 
 }  // namespace
@@ -59,32 +76,37 @@ std::string safety_line(const SafetyFactor& card, std::span<const SafetyTrial> t
   return where + "no factor of safety was found" + after;
 }
 
+std::string lost_blocks_warning(const SafetyFactor& card, std::size_t exits) {
+  if (exits == 0)
+    return {};
+  return place_of(card) +
+         fmt::format("{} left the domain before it, and only the rest is judged: if "
+                     "rock has failed on its way to rest, bring it to rest with strong "
+                     "joints first, and give their true strength before FOS",
+                     exits == 1 ? "1 block has" : fmt::format("{} blocks have", exits));
+}
+
 std::string safety_warning(const SafetyFactor& card,
                            std::span<const SafetyTrial> trials) {
   const SafetyBracket bracket = bracket_of(trials);
   const std::string where = place_of(card);
   if (card.lower > 0.0 && !bracket.stable)
-    return where +
-           fmt::format("with strength / {:g}, the lower bound, the model is {}: "
-                       "give a smaller lower bound, or none",
-                       card.lower, outcome_at(trials, card.lower));
-  if (!bracket.stable && !bracket.failing)
-    return where + fmt::format("trials are undecided after {}: blocks neither come to "
-                               "rest nor fail, maybe because the forces were not "
-                               "balanced before",
+    return where + bound_text(card, trials, card.lower, "lower", "smaller");
+  if (bracket.stable && card.upper > 0.0 && !bracket.failing)
+    return where + bound_text(card, trials, card.upper, "upper", "larger");
+  if (!(bracket.stable && bracket.failing) && has_undecided(trials))
+    return where + fmt::format("trials are undecided after {}: give more with ncycle, "
+                               "or look for blocks that neither come to rest nor fail, "
+                               "maybe because the forces were not balanced before",
                                counted(card.most_steps, "step"));
   if (!bracket.stable)
-    return where + "the model is stable with none of the factors tried, and the "
-                   "strength was raised 64 times: no strength of joints can hold it, "
-                   "or its forces were not balanced before";
-  if (card.upper > 0.0 && !bracket.failing)
-    return where +
-           fmt::format("with strength / {:g}, the upper bound, the model is {}: "
-                       "give a larger upper bound, or none",
-                       card.upper, outcome_at(trials, card.upper));
+    return where + "the model fails with all factors tried, even with 64 times the "
+                   "strength: joints cannot hold it, or its forces were not balanced "
+                   "before";
   if (!bracket.failing)
-    return where + "the model fails with none of the factors tried, to 64: it stands "
-                   "without the strength of joints";
+    return where +
+           "the model is stable with all factors tried, even with a sixty-fourth "
+           "of the strength: it stands without the strength of joints";
   if (*bracket.failing - *bracket.stable <= card.width)
     return "";
   return where + fmt::format("the bracket is wider than {:g}, because trials within it "

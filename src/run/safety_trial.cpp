@@ -94,9 +94,9 @@ Distance farthest(const Blocks& before, const Blocks& after) {
 /// Returns whether the motion is that of a failing model. `responses` is the number of
 /// steps so far over the response of the model.
 bool is_failing(double responses, const Growth& growth, const Distance& moved) {
-  constexpr double many = 30.0, few = 2.0, far = 0.05;
+  constexpr double many = 30.0, notable = 1e-4, few = 2.0, far = 0.05;
   constexpr double goes_on = 0.8, grows = 1.5;
-  return (responses >= many && growth.grows_by(goes_on)) ||
+  return (responses >= many && moved.of_size > notable && growth.grows_by(goes_on)) ||
          (responses >= few && moved.of_size > far && growth.grows_by(grows));
 }
 

@@ -54,10 +54,11 @@ long response_steps(const Model& base, long most, int threads, const GiveUp& giv
 /// - stable: the forces are balanced as SOLVE wants it, and the fastest block is not
 ///   faster than at a quarter of the steps;
 /// - failing: the motion goes on for 30 responses, so that the speed falls by at most a
-///   fifth from part to part (Growth); or it grows by half from part to part, for at
-///   least two responses, and a block has moved by a twentieth of its size, the root of
-///   its area; or a block has left the domain. Motion with a local ratio below a
-///   thousandth of the wanted one is rounding;
+///   fifth from part to part (Growth), and a block has moved by 1e-4 of its
+///   size, the root of its area; or the speed grows by half from part to part, for at
+///   least two responses, and a block has moved by a twentieth of its size; or a block
+///   has left the domain. Motion with a local ratio below a thousandth of the wanted
+///   one is rounding;
 /// - undecided: neither after `card.most_steps`, or the model has become unsound.
 TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card,
                       const deck::Solve& wanted, int threads, const GiveUp& give_up);

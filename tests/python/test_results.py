@@ -556,9 +556,9 @@ def test_a_run_that_goes_on(tmp_path, files):
 def test_reading_while_a_run_writes(tmp_path):
     path = tmp_path / "busy.vtkhdf"
     deck = (DECKS / "crater_cracks/crater_cracks.deck").read_text()
-    (tmp_path / "busy.deck").write_text(deck.replace("PLOTS, 0.02", "PLOTS, .0002"))
+    (tmp_path / "busy.deck").write_text(deck.replace("PLOTS, 0.02", "PLOTS, .001"))
     command = [PROGRAM, "run", tmp_path / "busy.deck", "-o", tmp_path / "busy", "-q", "--threads", "1"]
-    command += ["--until", ".04"]
+    command += ["--until", ".2"]
     with subprocess.Popen([*map(str, command)], stdout=subprocess.DEVNULL) as running:
         while not path.exists() and running.poll() is None:
             time.sleep(0.002)

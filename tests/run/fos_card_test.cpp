@@ -141,7 +141,7 @@ TEST(FosCard, TellsWhichBoundDoesNotHold) {
       run_text(folder, "b",
                preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
                    "GRAVITY, 0, -9.81\nFRICTN, .5\nLOCDAMP, .8\nSOLVE\nFOS\nSTOP\n");
-  EXPECT_THAT(none.err, HasSubstr("the model fails with none of the factors tried"));
+  EXPECT_THAT(none.err, HasSubstr("the model is stable with all factors tried"));
 }
 
 // A block that falls freely is never at rest, whatever its strength.
@@ -153,7 +153,20 @@ TEST(FosCard, NeverTakesAFallForRest) {
           rectangle(-6, 0, -5.5, 1) +
           "GRAVITY, 0, -9.81\nFRICTN, .5\nLOCDAMP, .8\nSOLVE, , 100\nFOS\nSTOP\n");
   EXPECT_TRUE(found(folder, "a")["lower"].is_null());
-  EXPECT_THAT(run.err, HasSubstr("stable with none of the factors tried"));
+  EXPECT_THAT(run.err, HasSubstr("joints cannot hold it"));
+}
+
+// What has failed on the way to rest is not there any more.
+TEST(FosCard, WarnsIfBlocksHaveLeftBefore) {
+  const TemporaryFolder folder;
+  const Outcome run = run_text(
+      folder, "a",
+      preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+          rectangle(-6, -9.8, -5.5, -9) +
+          "GRAVITY, 0, -9.81\nFRICTN, .5\nMOTION, .5\nLOCDAMP, .8\nSOLVE\nFOS, .5, , "
+          "2000\nSTOP\n");
+  EXPECT_THAT(run.err, HasSubstr("1 block has left the domain before it, and only the "
+                                 "rest is judged"));
 }
 
 TEST(FosCard, NeedsAStateOfEquilibrium) {
