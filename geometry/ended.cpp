@@ -15,7 +15,8 @@ using exact::Point;
 using exact::Rational;
 using exact::Vector;
 
-// A trace p + s * (q - p), of which s in [begin, end] remains. Its middle is s = 1/2.
+// A trace p + s * (q - p). The part with s in [begin, end] remains; s = 1/2 is the
+// middle.
 struct Trace {
   Point from;
   Vector along;

@@ -9,7 +9,7 @@
 
 namespace blocks::report {
 
-/// The width of a figure of which two are side by side.
+/// The width of one of two figures side by side.
 inline constexpr const char* half_width = "118mm";
 
 /// Returns the text with a capital first letter.

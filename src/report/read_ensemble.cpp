@@ -362,7 +362,7 @@ class Collector {
       throw std::runtime_error(
           "no run has the profile: " + profile_fault_ +
           (request_.profile->time ? "\n  hint: choose a --time in this range" : ""));
-    // F that is not decided in any run is told, so its columns remain.
+    // The columns of F remain even if no run decides it.
     const bool has_safety = std::any_of(all_.rows.begin(), all_.rows.end(),
                                         [](const RunRow& r) { return !!r.safety; });
     for (std::size_t i = measures_.size(); i-- > 0;) {

@@ -1,5 +1,5 @@
-// Executes MOTION, CYCLE and SOLVE and writes output when it is due (CYCLE of Appendix
-// B).
+// Executes MOTION, CYCLE, SOLVE and FOS and writes output when it is due (CYCLE of
+// Appendix B).
 #pragma once
 
 #include <chrono>

@@ -30,7 +30,7 @@ struct Plan {
   long audit_every = 0;         ///< steps between audits; 0: none
   std::vector<std::string> variants;  ///< of a study
   std::vector<std::string> axes;      ///< "seed" and the fields, in order
-  std::optional<SobolDesign> sobol;   ///< of which the runs are
+  std::optional<SobolDesign> sobol;   ///< that gives the runs; may be empty
   std::vector<Variation> runs;        ///< the run with id i is runs[i - 1]
 
   bool operator==(const Plan&) const = default;
