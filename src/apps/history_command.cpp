@@ -316,8 +316,7 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
           "-q,--quantity", options.quantities,
           "quantities, separated by commas: speed:9 (block 9), y:9.2 (its corner 2), "
           "y:6-9, y:6-9/12 or y:material=2 (the mean of these blocks), y:6-9:p90 "
-          "(their 90th "
-          "percentile), speed:max, :min, :mean, :sum or :p90 (all blocks), "
+          "(their 90th percentile), speed:max, :min, :mean, :sum or :p90 (all blocks), "
           "kinetic_energy (the model), \"y:material=soft, wet clay\" (a name with "
           "commas) (default: what the HISTORY card recorded, "
           "otherwise kinetic_energy,overlap,contacts)")

@@ -4,6 +4,21 @@
 #include <string>
 
 namespace blocks::apps {
+namespace {
+
+/// Accepts a whole number above 0. `expected` says what the option needs.
+CLI::Validator whole(const std::string& expected, const std::string& name) {
+  return {[expected](std::string& text) {
+            const bool fits =
+                !text.empty() && text.size() <= 15 && text.front() != '0' &&
+                text.find_first_not_of("0123456789") == std::string::npos;
+            return fits ? std::string()
+                        : "expected " + expected + ", 1 or more, found '" + text + "'";
+          },
+          name};
+}
+
+}  // namespace
 
 CLI::Validator seed_number() {
   return {[](std::string& text) {
@@ -29,31 +44,8 @@ CLI::Validator positive_number() {
           "POSITIVE"};
 }
 
-namespace {
+CLI::Validator whole_steps() { return whole("a number of steps", "STEPS"); }
 
-bool is_whole_number_above_0(const std::string& text) {
-  return !text.empty() && text.size() <= 15 && text.front() != '0' &&
-         text.find_first_not_of("0123456789") == std::string::npos;
-}
-
-}  // namespace
-
-CLI::Validator whole_steps() {
-  return {[](std::string& text) {
-            return is_whole_number_above_0(text)
-                       ? std::string()
-                       : "expected a number of steps, 1 or more, found '" + text + "'";
-          },
-          "STEPS"};
-}
-
-CLI::Validator whole_count() {
-  return {[](std::string& text) {
-            return is_whole_number_above_0(text)
-                       ? std::string()
-                       : "expected a whole number, 1 or more, found '" + text + "'";
-          },
-          "COUNT"};
-}
+CLI::Validator whole_count() { return whole("a whole number", "COUNT"); }
 
 }  // namespace blocks::apps

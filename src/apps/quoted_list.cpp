@@ -21,6 +21,10 @@ void split_list(const std::string& text, std::vector<std::string>& values) {
             fmt::format("the quote is not closed in {}", text.substr(i)));
       value += text.substr(i + 1, close - i - 1);
       i = close;
+    } else if (const std::size_t close = text.find(')', i);
+               text[i] == '(' && close != text.npos) {
+      value += text.substr(i, close + 1 - i);
+      i = close;
     } else {
       value += text[i];
     }

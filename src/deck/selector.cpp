@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "deck/free_field.hpp"
 #include "deck/suggest.hpp"
@@ -87,8 +89,8 @@ geometry::Decimal number_of(const Part& part, const Form& form) {
   const Number number = read_number(part.text);
   const double x = number.value.value();
   constexpr double most = 1e9;
-  const bool fits = !form.whole || (x == static_cast<double>(static_cast<long>(x)) &&
-                                    x >= 1.0 && x <= most);
+  const bool fits =
+      !form.whole || (x >= 1.0 && x <= most && x == std::floor(x));
   if (number.fault == NumberFault::none && fits)
     return number.value;
   throw SelectorFault(fmt::format("expected a {} in {}, found '{}'",
@@ -96,6 +98,10 @@ geometry::Decimal number_of(const Part& part, const Form& form) {
                                   lower(form.name), part.text),
                       "write " + syntax(form), part.at,
                       std::max<std::size_t>(part.text.size(), 1));
+}
+
+std::pair<double, double> point(const Selector& selector, std::size_t first) {
+  return {selector.numbers[first].value(), selector.numbers[first + 1].value()};
 }
 
 }  // namespace
@@ -131,6 +137,11 @@ Selector read_selector(std::string_view text) {
                                      : fmt::format("did you mean {}?", near),
                         0, name.size());
   }
+  if (open == std::string_view::npos)
+    throw SelectorFault(fmt::format("the values of '{}' are missing", name),
+                        fmt::format("write {}, the bracket directly behind the name",
+                                    syntax(*form)),
+                        0, name.size());
   if (close == std::string_view::npos)
     throw SelectorFault("the bracket is not closed",
                         fmt::format("write {} on one line", syntax(*form)), open, 1);
@@ -142,7 +153,10 @@ Selector read_selector(std::string_view text) {
       .by = form->by, .numbers = {}, .material = {}, .text = std::string(text)};
   const Part whole = trimmed(text, open + 1, close);
   if (form->by == By::material && !whole.text.empty()) {
-    out.material = whole.text;
+    const char first = whole.text.front();
+    const bool quoted = whole.text.size() > 2 && whole.text.back() == first &&
+                        (first == '\'' || first == '"');
+    out.material = quoted ? whole.text.substr(1, whole.text.size() - 2) : whole.text;
     return out;
   }
   const std::vector<Part> parts = split(text, open + 1, close);
@@ -153,6 +167,10 @@ Selector read_selector(std::string_view text) {
                         "write " + syntax(*form), open, close - open + 1);
   for (const Part& part : parts)
     out.numbers.push_back(number_of(part, *form));
+  if (form->by == By::on && point(out, 0) == point(out, 2))
+    throw SelectorFault("both points of the line are the same",
+                        "write two points on the line, such as on(0, 0, 1, 0)", open,
+                        close - open + 1);
   return out;
 }
 

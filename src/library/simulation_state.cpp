@@ -228,6 +228,11 @@ void Simulation::State::solve(const deck::Solve& card, int line) {
 void Simulation::State::factor_of_safety(const deck::Fos& card, int line) {
   const int threads = work.workers->threads();
   const run::GiveUp never = [] { return false; };
+  const run::GiveUp look_up = [this] {  // what the hook throws ends the search
+    if (hooks.after_step)
+      hooks.after_step();
+    return false;
+  };
   stepper.up_to_date();
   model.safety_factors.push_back(run::begin_search(card, line));
   const Model base = run::state_before_last(model);
@@ -236,17 +241,12 @@ void Simulation::State::factor_of_safety(const deck::Fos& card, int line) {
       !lost.empty())
     warnings.push_back(std::move(lost));
   try {
-    static_cast<void>(run::set_limits(record, base, card, threads, never));
+    static_cast<void>(run::set_limits(record, base, card, threads, look_up));
     run::SafetySearch search(base, record, card.as_solve(), threads, threads, never);
-    while (auto made = search.next(run::trials_of_last(model), hooks.after_step)) {
-      made->trial.search = static_cast<int>(model.safety_factors.size()) - 1;
-      model.safety_trials.push_back(made->trial);
-    }
+    while (auto made = search.next(run::trials_of_last(model), hooks.after_step))
+      run::record_trial(model, made->trial);
   } catch (...) {
-    std::erase_if(model.safety_trials, [&](const SafetyTrial& trial) {
-      return trial.search + 1 == static_cast<int>(model.safety_factors.size());
-    });
-    model.safety_factors.pop_back();
+    run::forget_last_search(model);
     throw;
   }
   record.complete = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <limits>
 
 namespace blocks {
@@ -27,11 +28,11 @@ std::optional<double> below_all(const SafetyFactor& card,
   if (trials.empty())
     return card.upper > 0.0 ? std::min(1.0, 0.5 * card.upper) : 1.0;
   double least = std::numeric_limits<double>::infinity();
-  long undecided = 0;
   for (const SafetyTrial& trial : trials)
-    least = std::min(least, trial.factor), undecided += is_undecided(trial);
-  return least > least_factor && undecided < 2 ? std::optional(0.5 * least)
-                                               : std::nullopt;
+    least = std::min(least, trial.factor);
+  return least > least_factor && count_undecided(trials) < 2
+             ? std::optional(0.5 * least)
+             : std::nullopt;
 }
 
 /// Returns the factor to try while no trial was failing; likewise.
@@ -42,9 +43,9 @@ std::optional<double> above_all(const SafetyFactor& card,
   double largest = 0.0;
   for (const SafetyTrial& trial : trials)
     largest = std::max(largest, trial.factor);
-  const long undecided = std::count_if(trials.begin(), trials.end(), is_undecided);
-  return largest < largest_factor && undecided < 2 ? std::optional(2.0 * largest)
-                                                   : std::nullopt;
+  return largest < largest_factor && count_undecided(trials) < 2
+             ? std::optional(2.0 * largest)
+             : std::nullopt;
 }
 
 }  // namespace
@@ -52,6 +53,17 @@ std::optional<double> above_all(const SafetyFactor& card,
 const char* describe(TrialOutcome outcome) {
   constexpr const char* words[trial_outcomes] = {"stable", "failing", "undecided"};
   return words[static_cast<int>(outcome)];
+}
+
+std::vector<SafetyTrial> trials_of(std::span<const SafetyTrial> trials, int search) {
+  std::vector<SafetyTrial> own;
+  std::copy_if(trials.begin(), trials.end(), std::back_inserter(own),
+               [&](const SafetyTrial& trial) { return trial.search == search; });
+  return own;
+}
+
+long count_undecided(std::span<const SafetyTrial> trials) {
+  return std::count_if(trials.begin(), trials.end(), is_undecided);
 }
 
 SafetyBracket bracket_of(std::span<const SafetyTrial> trials) {

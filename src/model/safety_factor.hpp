@@ -40,6 +40,12 @@ struct SafetyFactor {
   bool complete = false;  ///< all trials have been made
 };
 
+/// Returns the trials of one FOS card, `search`, in their order.
+std::vector<SafetyTrial> trials_of(std::span<const SafetyTrial> trials, int search);
+
+/// Returns the number of trials that did not decide.
+long count_undecided(std::span<const SafetyTrial> trials);
+
 /// The largest factor with which a model was stable, and the smallest one above it with
 /// which it was failing. Empty: no trial was.
 struct SafetyBracket {

@@ -270,13 +270,11 @@ Json trial_json(const SafetyTrial& trial) {
 /// The result of one FOS card. A missing end of its bracket is null.
 Json factor_of_safety(const Model& model, std::size_t search) {
   const SafetyFactor& card = model.safety_factors[search];
-  std::vector<SafetyTrial> trials;
+  const std::vector<SafetyTrial> trials =
+      trials_of(model.safety_trials, static_cast<int>(search));
   Json list = Json::array();
-  for (const SafetyTrial& trial : model.safety_trials)
-    if (trial.search == static_cast<int>(search)) {
-      trials.push_back(trial);
-      list.push_back(trial_json(trial));
-    }
+  for (const SafetyTrial& trial : trials)
+    list.push_back(trial_json(trial));
   const SafetyBracket bracket = bracket_of(trials);
   return {{"line", card.line},
           {"lower", bracket.stable ? Json(*bracket.stable) : Json()},

@@ -92,14 +92,11 @@ void bind_simulation(py::module_& module) {
     for (int search = 0; search < static_cast<int>(model.safety_factors.size());
          ++search) {
       py::list trials;
-      std::vector<SafetyTrial> own;
-      for (const SafetyTrial& trial : model.safety_trials)
-        if (trial.search == search) {
-          own.push_back(trial);
-          trials.append(py::make_tuple(trial.factor, describe(trial.outcome),
-                                       trial.steps, trial.ratio, trial.local,
-                                       trial.speed, trial.block, trial.moved));
-        }
+      const std::vector<SafetyTrial> own = trials_of(model.safety_trials, search);
+      for (const SafetyTrial& trial : own)
+        trials.append(py::make_tuple(trial.factor, describe(trial.outcome), trial.steps,
+                                     trial.ratio, trial.local, trial.speed, trial.block,
+                                     trial.moved));
       const SafetyBracket bracket = bracket_of(own);
       found.append(py::make_tuple(bracket.stable, bracket.failing, trials));
     }

@@ -43,8 +43,7 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
       tell_trials_remain();
       return pressed_for_time();
     }
-    made->trial.search = static_cast<int>(model_.safety_factors.size()) - 1;
-    model_.safety_trials.push_back(made->trial);
+    record_trial(model_, made->trial);
     const std::string told = trial_line(made->trial);
     files_.message(told);
     console_.note(told);

@@ -275,19 +275,18 @@ std::string RunFiles::keep_state(const std::string& ending, const std::string& w
                                  const output::Progress& progress) {
   const std::string name = name_ + "." + ending;
   const output::NameLock lock(name, name + ".vtkhdf");
+  const bool is_own = !kept_.insert(ending).second || resumed_;
+  if (is_own && may_overwrite(name, "", identity_))  // those of an earlier trial
+    for (const char* kind : endings) {
+      std::error_code ignored;  // a file that stays is put aside
+      std::filesystem::remove(name + kind, ignored);
+    }
   RunFiles files(name, identity_);
-  const std::string older = files.older_.ending;
   files.results().include_unbalanced();
   files.message(what);
   files.input_echo(after);
   files.frame(before);
   files.close(after, {}, progress);
-  const bool is_own = !kept_.insert(ending).second || resumed_;
-  if (is_own && files.put_aside().empty())
-    for (const char* kind : endings) {
-      std::error_code ignored;  // an older file that stays does no harm
-      std::filesystem::remove(name + kind + older, ignored);
-    }
   return files.put_aside();
 }
 

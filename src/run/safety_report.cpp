@@ -21,12 +21,6 @@ const SafetyTrial* trial_at(std::span<const SafetyTrial> trials, double factor) 
   return found == trials.end() ? nullptr : &*found;
 }
 
-bool has_undecided(std::span<const SafetyTrial> trials) {
-  return std::any_of(trials.begin(), trials.end(), [](const SafetyTrial& trial) {
-    return trial.outcome == TrialOutcome::undecided;
-  });
-}
-
 /// What to do about a bound at which the model is not what it should be.
 std::string bound_text(const SafetyFactor& card, std::span<const SafetyTrial> trials,
                        double factor, const char* bound, const char* other) {
@@ -94,7 +88,7 @@ std::string safety_warning(const SafetyFactor& card,
     return where + bound_text(card, trials, card.lower, "lower", "smaller");
   if (bracket.stable && card.upper > 0.0 && !bracket.failing)
     return where + bound_text(card, trials, card.upper, "upper", "larger");
-  if (!(bracket.stable && bracket.failing) && has_undecided(trials))
+  if (!(bracket.stable && bracket.failing) && count_undecided(trials) > 0)
     return where + fmt::format("trials are undecided after {}: give more with ncycle, "
                                "or look for blocks that neither come to rest nor fail, "
                                "maybe because the forces were not balanced before",

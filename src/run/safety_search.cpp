@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 namespace blocks::run {
+namespace {
+
+int last_search(const Model& model) {
+  return static_cast<int>(model.safety_factors.size()) - 1;
+}
+
+}  // namespace
 
 SafetyFactor begin_search(const deck::Fos& card, int line) {
   return {.line = line,
@@ -28,21 +34,25 @@ bool set_limits(SafetyFactor& record, const Model& base, const deck::Fos& card,
   return true;
 }
 
+void record_trial(Model& model, SafetyTrial trial) {
+  trial.search = last_search(model);
+  model.safety_trials.push_back(trial);
+}
+
 std::vector<SafetyTrial> trials_of_last(const Model& model) {
-  const int last = static_cast<int>(model.safety_factors.size()) - 1;
-  std::vector<SafetyTrial> trials;
-  std::copy_if(model.safety_trials.begin(), model.safety_trials.end(),
-               std::back_inserter(trials),
-               [&](const SafetyTrial& trial) { return trial.search == last; });
-  return trials;
+  return trials_of(model.safety_trials, last_search(model));
+}
+
+void forget_last_search(Model& model) {
+  std::erase_if(model.safety_trials, [last = last_search(model)](const auto& trial) {
+    return trial.search == last;
+  });
+  model.safety_factors.pop_back();
 }
 
 Model state_before_last(const Model& model) {
   Model base = model;
-  const int last = static_cast<int>(base.safety_factors.size()) - 1;
-  base.safety_factors.pop_back();
-  std::erase_if(base.safety_trials,
-                [&](const SafetyTrial& trial) { return trial.search == last; });
+  forget_last_search(base);
   return base;
 }
 

@@ -22,8 +22,14 @@ SafetyFactor begin_search(const deck::Fos& card, int line);
 bool set_limits(SafetyFactor& record, const Model& base, const deck::Fos& card,
                 int threads, const GiveUp& give_up);
 
+/// Adds a trial of the last card to the records of the model.
+void record_trial(Model& model, SafetyTrial trial);
+
 /// Returns the trials of the last card in Model::safety_factors.
 std::vector<SafetyTrial> trials_of_last(const Model& model);
+
+/// Removes the records of the last card and of its trials.
+void forget_last_search(Model& model);
 
 /// Returns the model without the records of its last FOS card: the state from which its
 /// trials start.

@@ -30,11 +30,11 @@ class Copy {
 
   Model& model() { return model_; }
   const Model& now() { return stepper_.up_to_date(); }
-  /// Makes the steps to the next test. Returns false if the model is unsound.
-  bool step() {
+  /// Makes `steps` steps. Returns false if the model is unsound.
+  bool make(long steps) {
     const double limit = model_.settings.normal_stiffness * half_depth_;
-    for (long i = 1; i <= interval; ++i) {
-      const dynamics::StepResult moved = stepper_.advance(i == interval, limit);
+    for (long i = 1; i <= steps; ++i) {
+      const dynamics::StepResult moved = stepper_.advance(i == steps, limit);
       if (may_be_unsound(model_.settings, moved, half_depth_) &&
           !unsound(stepper_.up_to_date(), moved, half_depth_).empty())
         return false;
@@ -161,7 +161,7 @@ long response_steps(const Model& base, long most, int threads, const GiveUp& giv
   Growth growth;
   long steps = 0;
   for (bool ends = false, below = false; !ends && steps < most && !give_up();) {
-    ends = !copy.step();
+    ends = !copy.make(interval);
     steps += interval;
     const double energy = kinetic_energy(copy.now().blocks);
     growth.add(std::sqrt(energy));
@@ -181,10 +181,11 @@ TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card
   Growth growth;
   bool decided = false;
   while (!decided && trial.steps < card.most_steps && !result.given_up) {
-    const bool sound = copy.step();
-    trial.steps += interval;
+    const long steps = std::min(interval, card.most_steps - trial.steps);
+    const bool sound = copy.make(steps);
+    trial.steps += steps;
     const Model& now = copy.now();
-    for (long i = 0; i < interval; ++i)
+    for (long i = 0; i < steps; ++i)
       convergence.after_step(now);
     find_fastest(now.blocks, trial);
     growth.add(trial.speed);

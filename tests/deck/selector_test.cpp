@@ -33,7 +33,7 @@ TEST(Selector, LeavesOtherBracketsAlone) {
 
 TEST(Selector, HasItsValuesAsWritten) {
   const Parsed parsed = parse_text(
-      preliminary_cards + "FIX, AT(.1, 2.D-1)\nFREE, material(old stone)\n"
+      preliminary_cards + "FIX, AT(.1, 2.D-1)\nFREE, material('old stone')\n"
                           "PRESSBC, , edge(3), 1, 2\nOUTPUT, 1, 4,\nin(0 1 2 3), 7\n"
                           "CYCLE, 1\n");
   EXPECT_EQ(parsed.messages.find("error"), std::string::npos) << parsed.messages;
@@ -63,6 +63,9 @@ TEST(Selector, SaysWhatIsWrong) {
       {"FIX, at(1)", "t.deck:9:8: error: FIX: at takes 2 values, found 1\n"},
       {"FIX, at(1, a)",
        "t.deck:9:12: error: FIX: expected a number in at, found 'a'\n"},
+      {"FIX, at (1, 2)", "t.deck:9:6: error: FIX: the values of 'at' are missing\n"},
+      {"PRESSBC, , on(1, 2, 1, 2), 1, 1",
+       "t.deck:9:14: error: PRESSBC: both points of the line are the same\n"},
       {"FIX, at(1, 2", "t.deck:9:8: error: FIX: the bracket is not closed\n"},
       {"FIX, at(1, 2)3",
        "t.deck:9:14: error: FIX: there is text after the closing bracket\n"},

@@ -121,6 +121,20 @@ TEST(FosCard, KeepsTheStatesOfBothEnds) {
   run_text(folder, "a", block_on_plane + "FOS, .1, , , 1.2, 1.3\nSTOP\n");
   EXPECT_FALSE(folder.holds("a.failing.vtkhdf"));
   EXPECT_TRUE(folder.holds("a.failing.vtkhdf.bak"));
+  // A run with several failing trials keeps its last state, and the .bak as it was.
+  const std::string kept = slurp(folder / "a.failing.vtkhdf.bak");
+  run_text(folder, "a", block_on_plane + "FOS, .01, , , 1.2, 2\nSTOP\n");
+  EXPECT_TRUE(folder.holds("a.failing.vtkhdf"));
+  EXPECT_EQ(slurp(folder / "a.failing.vtkhdf.bak"), kept);
+}
+
+TEST(FosCard, IsNotAddedToADeckThatHasIt) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", block_on_plane + "FOS, .1\nSTOP\n");
+  const Outcome run = blocks("fos a.deck --width .2", folder.path());
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("the deck has this card in line "));
+  EXPECT_FALSE(folder.holds("a.out"));
 }
 
 TEST(FosCard, TellsWhichBoundDoesNotHold) {
