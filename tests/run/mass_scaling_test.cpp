@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "post/results_reader.hpp"
@@ -55,6 +56,65 @@ TEST(MassScaling, FindsItWithDashpotsToo) {
 }
 TEST(MassScaling, FindsItForDeformableBlocks) {
   expect_same_rest_in_fewer_steps(graded("LOCDAMP, .8\nMDAMP, 1, .1\n", ""));
+}
+/// Voronoi cells that grow from 2 cm to 1.1 m between three fixed blocks. All sides are
+/// bonded and elastic, so that there is only one place of rest.
+std::string bonded_cells(const TemporaryFolder& folder, const std::string& damping,
+                         const std::string& kind) {
+  std::string points = "x,y\n";
+  double size = 0.0, fraction = 0.0;
+  const auto jitter = [&] {
+    constexpr double golden = 0.6180339887498949;
+    fraction += golden;
+    return 0.4 * (fraction - std::floor(fraction) - 0.5);
+  };
+  for (double x = 0.0; x < 6.0; x += size) {
+    size = 0.02 + 0.18 * x;
+    for (int i = 0; i < std::clamp(static_cast<int>(2.0 / size), 1, 10); ++i) {
+      const double at = x + size * (0.5 + jitter()), y = size * (i + 0.5 + jitter());
+      if (at < 6.0 && y < 2.0)
+        points += fmt::format("{}, {}\n", at, y);
+    }
+  }
+  folder.write("points.csv", points);
+  std::string text = preliminary(kind);
+  text.replace(text.find("100, 6"), 6, "400, 20");
+  text.replace(text.find("0.1\nSTIFF"), 3, "0.002");  // ctol
+  return text + rectangle(-1, -1, 7, 0, true) + rectangle(-1, 0, 0, 2, true) +
+         rectangle(6, 0, 7, 2, true) +
+         "OUTLINE, 4, 1\n0, 0, 6, 6\n0, 2, 2, 0\nVORONOI, , , 1, points.csv\nCUT\n"
+         "JOINT, 1, .7, 1.E9, 1.E9\nJPAIR, 1, 1, 1\nBOND\nGRAVITY, 0, -9.81\n" +
+         damping;
+}
+
+void expect_one_place_of_rest(const std::string& damping, const std::string& kind) {
+  const TemporaryFolder folder;
+  const std::string deck = bonded_cells(folder, damping, kind);
+  const std::string solve = "SOLVE, 1.E-6, 400000\nSTOP\n";
+  run_text(folder, "plain", deck + solve);
+  run_text(folder, "scaled", deck + "MSCALE\n" + solve);
+  const auto steps = [&](const char* name) {
+    const auto found = summary(folder, name)["solves"][0];
+    EXPECT_TRUE(found["converged"]);
+    return found["steps"].get<double>();
+  };
+  EXPECT_LT(5.0 * steps("scaled"), steps("plain"));
+  const post::ResultsReader plain((folder / "plain.vtkhdf").string());
+  const Eigen::MatrixXd begin = plain.frame(0).centroid,
+                        end = last_frame(folder, "plain").centroid,
+                        scaled = last_frame(folder, "scaled").centroid;
+  const double motion = (end - begin).cwiseAbs().maxCoeff();
+  EXPECT_LT((end - scaled).cwiseAbs().maxCoeff(), 1e-4 * motion);
+}
+
+TEST(MassScaling, BringsBondedCellsToTheSamePlaces) {
+  expect_one_place_of_rest("LOCDAMP, .8\n", "RIGID\n");
+}
+TEST(MassScaling, BringsThemThereWithDashpotsToo) {
+  expect_one_place_of_rest("LOCDAMP, .5\nDAMPING, .2\n", "RIGID\n");
+}
+TEST(MassScaling, BringsDeformableOnesThere) {
+  expect_one_place_of_rest("LOCDAMP, .8\n", "");
 }
 TEST(MassScaling, IsToldAndEndsWithSolve) {
   const TemporaryFolder folder;
