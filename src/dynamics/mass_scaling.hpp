@@ -6,15 +6,6 @@
 
 namespace blocks::dynamics {
 
-/// The number of contacts of a block for which the largest safe FRACTION is stated.
-inline constexpr int usual_contacts = 8;
-
-/// Returns about how many contacts each block may have, (n). Each corner of the block
-/// counts twice, for the faces on both sides of it. So does each corner of another
-/// block that is within ctol of the outline, unless a corner of this block is near it,
-/// but once.
-Eigen::VectorXi possible_contacts(const Blocks& blocks, double tolerance);
-
 /// Returns whether SOLVE scales masses: MSCALE is on, and there is a free block. The
 /// dashpots of quiet sides belong to the true masses, so a model with such sides is not
 /// scaled.
@@ -22,9 +13,8 @@ bool may_scale_masses(const Model& model);
 
 /// Sets Blocks::scale so that all free blocks have the same critical time step, and the
 /// time step to that. The sum of their masses stays the same. The critical step of a
-/// block is that of steps_of_blocks(); a block with more than `usual_contacts` has the
-/// share possible_contacts() over that number. Velocities
-/// change with the root of the masses, so the kinetic energy of each block stays.
+/// block is that of steps_of_blocks() with contact_shares(). Velocities change with the
+/// root of the masses, so the kinetic energy of each block stays.
 void begin_mass_scaling(Model& model);
 
 /// Ends it: blocks have their true masses, kinetic energies stay, and the time step is

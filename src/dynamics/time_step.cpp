@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "dynamics/packed_contacts.hpp"
 #include "model/safe_fraction.hpp"
 
 namespace blocks::dynamics {
@@ -176,13 +177,18 @@ TimeStep choose_time_step(const Model& model) {
   const Blocks& blocks = model.blocks;
   const ContactStiffness stiffness(model);
   const double fraction = fraction_in_force(settings);
+  const double constant = std::max(settings.normal_stiffness, settings.shear_stiffness);
+  const Eigen::VectorXd shares = chooses_fraction(settings)
+                                     ? contact_shares(model)
+                                     : Eigen::VectorXd::Ones(blocks.size());
 
   TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size()};
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))
       continue;
     const double mass = least_mass(settings, blocks, b);
-    const double dt = contact_step(fraction, mass, stiffness.of(blocks, b));
+    const double k = std::max(shares[b] * constant, stiffness.of(blocks, b));
+    const double dt = contact_step(fraction, mass, k);
     if (dt < best.dt)
       best = {dt, b, blocks.size(), false, mass < blocks.mass[b]};
   }

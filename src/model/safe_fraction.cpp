@@ -8,7 +8,7 @@
 
 namespace blocks {
 
-double safe_fraction(double damping, double local_damping, int contacts) {
+double safe_fraction(double damping, double local_damping, double contacts) {
   const double n = contacts * (1.0 + local_damping);
   return (std::sqrt(1.0 + 3.0 * n * damping * damping) - damping * std::sqrt(3.0 * n)) /
          std::sqrt(6.0 * n);
@@ -25,8 +25,7 @@ double fraction_in_force(const Settings& settings) {
 std::string limit_in_words(const TimeStep& step, const Settings& settings) {
   std::string text = limit_in_words(step);
   if (chooses_fraction(settings) && !step.elastic)
-    text += fmt::format(", largest safe FRACTION {:.3g} with {}",
-                        safe_fraction(settings), damping_in_words(settings));
+    text += ", largest safe step with " + damping_in_words(settings);
   return text;
 }
 

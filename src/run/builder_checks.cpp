@@ -200,8 +200,8 @@ void Builder::check_fraction(const Command& command) {
     const std::string given = fmt::format("FRACTION {:g} with {}", settings.fraction,
                                           damping_in_words(settings));
     const std::string hint = fmt::format(
-        "for 8 contacts per block the largest safe FRACTION is {:.2g}, which a "
-        "blank FRACTION takes (docs/departures.md, time step)",
+        "for 8 contacts per block the largest safe FRACTION is {:.2g}; if it is blank, "
+        "the program counts the contacts (docs/theory.md, time step)",
         safe);
     // Without damping, such a step is unstable even for a single contact.
     constexpr double refused = 3.0;

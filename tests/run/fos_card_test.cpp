@@ -132,7 +132,7 @@ TEST(FosCard, IsNotAddedToADeckThatHasIt) {
   const TemporaryFolder folder;
   folder.write("a.deck", block_on_plane + "FOS, .1\nSTOP\n");
   const Outcome run = blocks("fos a.deck --width .2", folder.path());
-  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.err, HasSubstr("the deck has this card in line "));
   EXPECT_FALSE(folder.holds("a.out"));
 }
