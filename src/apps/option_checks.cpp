@@ -9,9 +9,9 @@ namespace {
 /// Accepts a whole number above 0. `expected` says what the option needs.
 CLI::Validator whole(const std::string& expected, const std::string& name) {
   return {[expected](std::string& text) {
-            const bool fits =
-                !text.empty() && text.size() <= 15 && text.front() != '0' &&
-                text.find_first_not_of("0123456789") == std::string::npos;
+            const bool fits = !text.empty() && text.size() <= 15 &&
+                              text.front() != '0' &&
+                              text.find_first_not_of("0123456789") == std::string::npos;
             return fits ? std::string()
                         : "expected " + expected + ", 1 or more, found '" + text + "'";
           },

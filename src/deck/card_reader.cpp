@@ -231,8 +231,7 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
     return read_word(field, spec, card, diagnostics);
   }
   const bool names = spec.kind == Kind::block || spec.kind == Kind::side;
-  if (names &&
-      (looks_like_selector(field.text) || ends_in_selector_name(field.text))) {
+  if (names && (looks_like_selector(field.text) || ends_in_selector_name(field.text))) {
     return read_choice(field, spec, card, diagnostics);
   }
   Value value{.where = field.where, .given = true};

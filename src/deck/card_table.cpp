@@ -95,7 +95,8 @@ std::vector<CardSpec> preliminary_cards() {
            "by 1 + alpha. A warning is given above this value for n = 8, and an error "
            "above three times the value if several blocks are free. If tfrac is blank "
            "or the card is absent, the program takes this value for the contacts that "
-           "each block may have, at least 8, and again when DAMPING or LOCDAMP changes.",
+           "each block may have, at least 8, and again when DAMPING or LOCDAMP "
+           "changes.",
        .example = "FRACTION, .05"});
   add({.name = "MATERIAL",
        .required = true,

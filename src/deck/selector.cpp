@@ -89,8 +89,7 @@ geometry::Decimal number_of(const Part& part, const Form& form) {
   const Number number = read_number(part.text);
   const double x = number.value.value();
   constexpr double most = 1e9;
-  const bool fits =
-      !form.whole || (x >= 1.0 && x <= most && x == std::floor(x));
+  const bool fits = !form.whole || (x >= 1.0 && x <= most && x == std::floor(x));
   if (number.fault == NumberFault::none && fits)
     return number.value;
   throw SelectorFault(fmt::format("expected a {} in {}, found '{}'",
@@ -138,10 +137,10 @@ Selector read_selector(std::string_view text) {
                         0, name.size());
   }
   if (open == std::string_view::npos)
-    throw SelectorFault(fmt::format("the values of '{}' are missing", name),
-                        fmt::format("write {}, the bracket directly behind the name",
-                                    syntax(*form)),
-                        0, name.size());
+    throw SelectorFault(
+        fmt::format("the values of '{}' are missing", name),
+        fmt::format("write {}, the bracket directly behind the name", syntax(*form)), 0,
+        name.size());
   if (close == std::string_view::npos)
     throw SelectorFault("the bracket is not closed",
                         fmt::format("write {} on one line", syntax(*form)), open, 1);

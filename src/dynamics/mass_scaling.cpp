@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "dynamics/packed_contacts.hpp"
 #include "dynamics/time_step.hpp"

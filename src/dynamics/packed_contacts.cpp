@@ -56,7 +56,8 @@ class Counter {
       add_if_near(b, blocks_.corner.col(c));
   }
   Eigen::VectorXd counts() const {
-    constexpr double of_rectangle = 3.0;  // stiffness() of one contact at each corner / 4
+    constexpr double of_rectangle =
+        3.0;  // stiffness() of one contact at each corner / 4
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(blocks_.size());
     for (int b = 0; b < blocks_.size(); ++b)
       if (blocks_.is_free(b))

@@ -8,11 +8,11 @@ namespace blocks::dynamics {
 /// Chooses the largest step that (4), FRACTION and deformability allow, and records the
 /// block that limits it. The stiffness in (4) is the largest that STIFF and the laws of
 /// joints give a contact of the block (docs/laws.md#length). Without FRACTION, the safe
-/// fraction for the damping in force is taken, and contact_shares(). In deformable runs the
-/// step is at most half the smallest l sqrt(rho / C11) over the free blocks; l is the
-/// least width in any direction. MDAMP multiplies that by sqrt(1 + z^2) - z.
-/// If the blocks of a material may split, their pieces count: masses of the least area,
-/// and least_width_of_pieces(). So no crack changes the time step.
+/// fraction for the damping in force is taken, and contact_shares(). In deformable runs
+/// the step is at most half the smallest l sqrt(rho / C11) over the free blocks; l is
+/// the least width in any direction. MDAMP multiplies that by sqrt(1 + z^2) - z. If the
+/// blocks of a material may split, their pieces count: masses of the least area, and
+/// least_width_of_pieces(). So no crack changes the time step.
 TimeStep choose_time_step(const Model& model);
 
 /// Returns the step that each free block would allow by itself, [T] (n); 0 for other

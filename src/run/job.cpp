@@ -48,13 +48,14 @@ void Job::add_last_card() {
   for (deck::Command& card :
        deck::parse_further("", options.last_card, said).commands) {
     card.where = where;
-    const auto same = std::find_if(
-        deck.commands.begin(), deck.commands.end(),
-        [&](const deck::Command& own) { return own.name == card.name; });
+    const auto same =
+        std::find_if(deck.commands.begin(), deck.commands.end(),
+                     [&](const deck::Command& own) { return own.name == card.name; });
     if (same != deck.commands.end())
-      diagnostics.error(where, card.name,
-                        fmt::format("the deck has this card in line {}", same->where.line),
-                        "give its fields there, and use blocks run");
+      diagnostics.error(
+          where, card.name,
+          fmt::format("the deck has this card in line {}", same->where.line),
+          "give its fields there, and use blocks run");
     deck.commands.insert(deck.commands.begin() + static_cast<std::ptrdiff_t>(end),
                          card);
     ++end;

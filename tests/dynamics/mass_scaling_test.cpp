@@ -58,8 +58,8 @@ TEST(MassScaling, CountsTheContactsThatABlockMayHave) {
                radius = 125.0 / 12.0;  // of gyration, squared
   const double middle = 0.5 * (count + squares / radius),
                half = 0.5 * (count - squares / radius);
-  EXPECT_NEAR(counts[0],
-              (middle + std::sqrt(half * half + arms * arms / radius)) / 3.0, 1e-12);
+  EXPECT_NEAR(counts[0], (middle + std::sqrt(half * half + arms * arms / radius)) / 3.0,
+              1e-12);
   for (int b = 2; b <= 9; ++b)  // 8, and those of the neighbours on both sides
     EXPECT_NEAR(counts[b], 12.0, 1e-12);
   EXPECT_EQ(counts[11], 0.0);  // fixed

@@ -1,5 +1,5 @@
-// The time step that the program chooses if FRACTION is blank is stable for packed rock,
-// however it was cut: judged by the highest frequency of the contacts that act.
+// The time step that the program chooses if FRACTION is blank is stable for packed
+// rock, however it was cut: judged by the highest frequency of the contacts that act.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double stiffness = 1e9, alpha = 0.8;
 
-/// Returns the highest frequency of all free blocks on springs at the contacts that act,
-/// with the same stiffness along and across the contact, 1/T.
+/// Returns the highest frequency of all free blocks on springs at the contacts that
+/// act, with the same stiffness along and across the contact, 1/T.
 double highest_frequency(const Model& model) {
   const Blocks& blocks = model.blocks;
   using Matrix = Eigen::MatrixXd;
@@ -56,7 +56,8 @@ Model settling_rock(const std::string& cuts, int seed) {
     deck.replace(deck.find(old), old.size(), now);
   };
   replace("100, 6", "900, 30");
-  replace("0.1\nSTIFF, 1.E7, 1.E7\nFRACTION, 0.02", "0.001\nSTIFF, 1.E9, 1.E9\nFRACTION");
+  replace("0.1\nSTIFF, 1.E7, 1.E7\nFRACTION, 0.02",
+          "0.001\nSTIFF, 1.E9, 1.E9\nFRACTION");
   run_text(folder, "a",
            deck + rectangle(-3, -1, 3, 0, true) + rectangle(-3, 0, -2, 2, true) +
                rectangle(2, 0, 3, 2, true) +
@@ -90,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         Cut{"TwoSets", "JSET, 1, 10, 3, .25, .05\nJSET, 2, 80, 4, .4, .1\nCUT\n"},
         Cut{"Beds", "JSET, 1, 5, 2, .25, .05\n"
                     "JSET, 2, 95, 3, .4, .1, .7, 0, 0, 0, , , UNIFORM, 1\nCUT\n"},
-        Cut{"Triangles",
-            "JSET, 1, 0, 0, .3\nJSET, 2, 60, 0, .3\nJSET, 3, 120, 0, .3\nCUT, .02, .02\n"}),
+        Cut{"Triangles", "JSET, 1, 0, 0, .3\nJSET, 2, 60, 0, .3\nJSET, 3, 120, 0, "
+                         ".3\nCUT, .02, .02\n"}),
     [](const auto& cut) { return std::string(cut.param.name); });
 
 }  // namespace
