@@ -7,10 +7,9 @@
 namespace blocks::report {
 namespace {
 
-std::optional<double> number_of(const nlohmann::ordered_json& json, const char* key) {
+double number_of(const nlohmann::ordered_json& json, const char* key) {
   const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? std::optional(found->get<double>())
-                                                   : std::nullopt;
+  return found != json.end() && found->is_number() ? found->get<double>() : no_number;
 }
 
 constexpr Measure::Limit below_one{false, 1.0};
@@ -22,15 +21,12 @@ const std::set<std::string>& safety_names() {
   return names;
 }
 
-double middle_of(const SafetyBracket& bracket) {
-  return bracket.stable && bracket.failing ? 0.5 * (*bracket.stable + *bracket.failing)
-                                           : no_number;
-}
+double SafetyBracket::middle() const { return 0.5 * (lower + upper); }
 
-double decide(const SafetyBracket& bracket, const Measure::Limit& limit) {
-  if (bracket.failing && *bracket.failing <= limit.value)
+double SafetyBracket::decide(const Measure::Limit& limit) const {
+  if (upper <= limit.value)
     return limit.above ? 0.0 : 1.0;
-  if (bracket.stable && *bracket.stable >= limit.value)
+  if (lower >= limit.value)
     return limit.above ? 1.0 : 0.0;
   return no_number;
 }
@@ -44,13 +40,12 @@ std::optional<SafetyBracket> safety_bracket(const sweep::Outcome& outcome) {
 
 double safety_value(const SafetyBracket& bracket, const Measure& measure) {
   if (measure.key == "fos")
-    return measure.limit ? decide(bracket, *measure.limit) : middle_of(bracket);
-  const auto& end = measure.key == "fos_lower" ? bracket.stable : bracket.failing;
-  return measure.with_limit(end.value_or(no_number));
+    return measure.limit ? bracket.decide(*measure.limit) : bracket.middle();
+  return measure.with_limit(measure.key == "fos_lower" ? bracket.lower : bracket.upper);
 }
 
 void FailureCount::add(const SafetyBracket& bracket) {
-  const double fails = decide(bracket, below_one);
+  const double fails = bracket.decide(below_one);
   ++(std::isnan(fails) ? undecided : fails == 1.0 ? failing : stable);
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "model/safety_factor.hpp"
 #include "report/measure.hpp"
 #include "report/statistics.hpp"
 #include "sweep/outcome.hpp"
@@ -17,13 +16,18 @@ namespace blocks::report {
 /// The names of the measures of F: "fos", "fos_lower", "fos_upper".
 const std::set<std::string>& safety_names();
 
-/// Returns the middle of both ends; NaN if one of them is missing.
-double middle_of(const SafetyBracket& bracket);
+/// F of one run is at least `lower` and at most `upper`. An end is NaN if no trial
+/// proved it.
+struct SafetyBracket {
+  double lower = no_number, upper = no_number;
 
-/// Returns 1 if F is proved to be below the limit (its upper end is at most the limit),
-/// 0 if it is proved not to be (its lower end is at least the limit), otherwise NaN. A
-/// limit that F is to be above has the opposite answers.
-double decide(const SafetyBracket& bracket, const Measure::Limit& limit);
+  /// Returns the middle of both ends; NaN if one of them is not proved.
+  double middle() const;
+  /// Returns 1 if F is proved to be below the limit (upper <= limit), 0 if it is proved
+  /// not to be (lower >= limit), otherwise NaN. A limit that F is to be above has the
+  /// opposite answers.
+  double decide(const Measure::Limit& limit) const;
+};
 
 /// Returns what the outcome of a run has; empty if its deck has no FOS card.
 std::optional<SafetyBracket> safety_bracket(const sweep::Outcome& outcome);
@@ -33,8 +37,8 @@ double safety_value(const SafetyBracket& bracket, const Measure& measure);
 
 /// How many runs have F < 1. The runs are those that are done and have a bracket.
 struct FailureCount {
-  std::size_t failing = 0;    ///< the upper end is at most 1
-  std::size_t stable = 0;     ///< the lower end is at least 1
+  std::size_t failing = 0;    ///< upper <= 1
+  std::size_t stable = 0;     ///< lower >= 1
   std::size_t undecided = 0;  ///< the bracket has 1 inside, or an end is not proved
 
   void add(const SafetyBracket& bracket);

@@ -14,21 +14,21 @@ namespace blocks::testing {
 namespace {
 
 using report::FailureCount;
+using report::SafetyBracket;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(SafetyBracket, ALimitIsDecidedByTheProvedEnds) {
-  using report::decide;
-  constexpr std::nullopt_t none = std::nullopt;
+  const double none = report::no_number;
   const report::Measure::Limit below{false, 1.0}, above{true, 1.0};
-  EXPECT_EQ(decide({0.98, 1.0}, below), 1.0) << "the upper end is at most the limit";
-  EXPECT_EQ(decide({1.0, 1.01}, below), 0.0) << "the lower end is at least the limit";
-  EXPECT_EQ(decide({1.0, 1.01}, above), 1.0);
-  EXPECT_TRUE(std::isnan(decide({0.995, 1.005}, below)));
-  EXPECT_EQ(decide({none, 0.5}, below), 1.0);
-  EXPECT_EQ(decide({2.0, none}, below), 0.0);
-  EXPECT_TRUE(std::isnan(decide({0.5, none}, below)));
-  EXPECT_TRUE(std::isnan(report::middle_of({0.5, none})));
+  EXPECT_EQ((SafetyBracket{0.98, 1.0}).decide(below), 1.0) << "upper <= 1";
+  EXPECT_EQ((SafetyBracket{1.0, 1.01}).decide(below), 0.0) << "lower >= 1";
+  EXPECT_EQ((SafetyBracket{1.0, 1.01}).decide(above), 1.0);
+  EXPECT_TRUE(std::isnan((SafetyBracket{0.995, 1.005}).decide(below)));
+  EXPECT_EQ((SafetyBracket{none, 0.5}).decide(below), 1.0);
+  EXPECT_EQ((SafetyBracket{2.0, none}).decide(below), 0.0);
+  EXPECT_TRUE(std::isnan((SafetyBracket{0.5, none}).decide(below)));
+  EXPECT_TRUE(std::isnan((SafetyBracket{0.5, none}).middle()));
 }
 
 TEST(SafetyBracket, UndecidedRunsAreToldAndCountAsNeither) {
