@@ -33,7 +33,7 @@ void add_fos_options(CLI::App& command, FosOptions& options) {
       ->check(positive_number());
   command
       .add_option("--ncycle", options.ncycle,
-                  "largest number of steps of a trial (default: 400 times the response "
+                  "largest number of steps of a trial (default: 500 times the response "
                   "of the model)")
       ->check(CLI::Range(deck::Solve::fewest_steps, std::numeric_limits<long>::max()));
   command

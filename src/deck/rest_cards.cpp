@@ -121,7 +121,7 @@ std::vector<CardSpec> rest_cards() {
                   {"ratio", real, "1.D-5", ratio, "[-]",
                    "of the unbalanced forces in a stable trial, as in SOLVE"},
                   {"ncycle", integer, "", two_tests, "[-]",
-                   "largest number of steps of a trial; blank: 400 times the response "
+                   "largest number of steps of a trial; blank: 500 times the response "
                    "of the model, 2000 to 200000"},
                   {"lower", real, "", positive, "[-]",
                    "factor at which the model is stable; blank: is looked for"},

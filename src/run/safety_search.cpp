@@ -23,7 +23,7 @@ SafetyFactor begin_search(const deck::Fos& card, int line) {
 
 bool set_limits(SafetyFactor& record, const Model& base, const deck::Fos& card,
                 int threads, const GiveUp& give_up) {
-  constexpr long responses = 400, fewest = 2000;
+  constexpr long responses = 500, fewest = 2000;
   const long most = card.most_steps();
   const long response = response_steps(base, most, threads, give_up);
   if (give_up())

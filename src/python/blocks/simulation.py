@@ -186,7 +186,7 @@ class Simulation(_blocks.Simulation, Selectors):
         Args:
             width: wanted width of the bracket.
             ratio: of the unbalanced forces in a stable trial, as in `solve`.
-            ncycle: largest number of steps of a trial; None: 400 times the response of the model.
+            ncycle: largest number of steps of a trial; None: 500 times the response of the model.
             lower: factor at which the model is stable; None: is looked for.
             upper: factor at which it fails; None: is looked for.
 
