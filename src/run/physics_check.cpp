@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -20,6 +21,21 @@ struct Shadow {
   double depth;       ///< [L] position of its centroid along gravity
   double line_load;   ///< [F/L] its weight divided by that extent
 };
+
+/// Returns the median area of the free blocks, [L^2]; 0 if there is none.
+double median_area(const Blocks& blocks) {
+  std::vector<double> areas;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (blocks.is_free(b))
+      areas.push_back(blocks.area[b]);
+  if (areas.empty())
+    return 0.0;
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::nth_element(areas.begin(), middle, areas.end());
+  return *middle;
+}
+
+bool is_tiny(double area, double median) { return area < 1e-6 * median; }
 
 std::vector<Shadow> shadows(const Model& model) {
   const Blocks& blocks = model.blocks;
@@ -165,14 +181,31 @@ std::vector<Doubt> doubt_modulus(const Plan& plan) {
        "MATERIAL"}};
 }
 
+std::vector<Doubt> doubt_tiny_block(const Plan& plan) {
+  const Blocks& blocks = plan.model.blocks;
+  const double median = median_area(blocks);
+  int smallest = -1;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (blocks.is_free(b) && (smallest < 0 || blocks.area[b] < blocks.area[smallest]))
+      smallest = b;
+  if (smallest < 0 || !is_tiny(blocks.area[smallest], median))
+    return {};
+  return {{fmt::format("block {} has the area {:.2g}, and the median of all is {:.2g}: "
+                       "it makes the time step about {:.2g} times as short",
+                       smallest + 1, blocks.area[smallest], median,
+                       std::sqrt(median / blocks.area[smallest])),
+           "emin and amin of CUT, or MERGE, remove such blocks"}};
+}
+
 std::vector<Doubt> doubt_tolerance(const Plan& plan) {
   const Blocks& blocks = plan.model.blocks;
+  const double median = median_area(blocks);
   const double ctol = plan.model.settings.contact_tolerance;
   double least = std::numeric_limits<double>::infinity();
   int narrowest = -1;
   for (int b = 0; b < blocks.size(); ++b)
     if (const double width = dynamics::least_width(blocks, b);
-        blocks.is_free(b) && width < least) {
+        blocks.is_free(b) && !is_tiny(blocks.area[b], median) && width < least) {
       least = width;
       narrowest = b;
     }

@@ -1,6 +1,6 @@
 // Rules of plausibility about numbers that do not fit together: springs too soft or too
-// stiff and blocks too soft for the weight on them, and a contact tolerance too large
-// for the blocks (docs/plausibility.md).
+// stiff and blocks too soft for the weight on them, a contact tolerance too large for
+// the blocks, and a block much smaller than the others (docs/plausibility.md).
 #pragma once
 
 #include <vector>
@@ -25,7 +25,12 @@ std::vector<Doubt> doubt_overlap(const Plan& plan);
 std::vector<Doubt> doubt_modulus(const Plan& plan);
 
 /// Returns a doubt if the contact tolerance is more than the least width of the
-/// narrowest free block.
+/// narrowest free block. Blocks of doubt_tiny_block() do not count.
 std::vector<Doubt> doubt_tolerance(const Plan& plan);
+
+/// Returns a doubt if the area of the smallest free block is less than a millionth of
+/// the median. Such a block is mostly a sliver of a cut, and its mass sets the time
+/// step of all.
+std::vector<Doubt> doubt_tiny_block(const Plan& plan);
 
 }  // namespace blocks::run

@@ -78,6 +78,13 @@ const RuleCase cases[] = {
      deformable(square + "GRAVITY, 0, -9.81\n" + end)},
     {"large-ctol", "BOXES: ctol = 0.1 is more than the width of block 1, 0.08\n",
      rigid(rectangle(0, 0, .08, 1) + end), rigid(rectangle(0, 0, .2, 1) + end)},
+    {"tiny-block",
+     "MOTION: block 3 has the area 9e-08, and the median of all is 1: it makes the "
+     "time "
+     "step about 3.3e+03 times as short\n",
+     rigid(square + rectangle(2, 0, 3, 1) + rectangle(4, 0, 4.0003, .0003) + end),
+     with(rigid(square + rectangle(2, 0, 3, 1) + rectangle(4, 0, 4.01, .01) + end),
+          "10, 0.1", "10, 0.001")},
     {"strength-without-bond",
      "JOINT: coh = 1e+07 does not act, because no BOND card bonds joint id 1\n",
      rigid(square + rectangle(0, 1, 1, 2) + law + "\nJPAIR, 1, 1, 1\n" + end),
