@@ -89,7 +89,9 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
   try {
     blocks.append(outlines);
   } catch (const std::invalid_argument& fault) {
-    throw output::FileError("cannot read " + path + ": " + fault.what());
+    throw output::FileError(fmt::format("cannot read {}: Points of frame {} are no "
+                                        "blocks: {}",
+                                        path, scene.frame, fault.what()));
   }
   // copied exactly as stored; append would round them again
   for (int b = 0; b < blocks.size(); ++b) {

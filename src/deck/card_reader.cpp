@@ -124,6 +124,23 @@ std::vector<Field> overridden(const CardSpec& spec, const Line& line, long nth,
   return fields;
 }
 
+/// Splits the value of --set like a card. It has no comments; a word without quotes is
+/// the whole value, so that it may have blanks, commas, $ and !.
+std::vector<Field> set_fields(const std::string& value, const FieldSpec& spec) {
+  const std::size_t begin = std::min(value.find_first_not_of(" \t"), value.size());
+  const std::string text =
+      value.substr(begin, value.find_last_not_of(" \t") + 1 - begin);
+  if (text.empty()) {
+    return {Field{"", {}, true, false}};
+  }
+  const bool quoted = text.front() == '\'' || text.front() == '"';
+  const bool whole = spec.kind == Kind::word && !spec.repeats;
+  if (!quoted && (whole || text.find_first_of("$!") != std::string::npos)) {
+    return {Field{text, {}, false, whole}};
+  }
+  return split_fields(text, 0).fields;
+}
+
 /// Returns n of MATERIAL[n]; 0 without brackets; nothing unless n is 1, 2, ...
 std::optional<long> number_in_brackets(std::string_view card) {
   const std::size_t open = card.find('[');
@@ -189,10 +206,12 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
                         fmt::format("unknown field {}", shown(set.field)), hint);
       continue;
     }
-    std::vector<Field> fields = split_fields(set.value, 0).fields;
-    if (fields.empty()) {
-      fields.push_back({"", where, true, false});
+    if (!is_utf8(set.value)) {
+      diagnostics.error(where, std::string(spec->name), "the value is not in UTF-8",
+                        "convert it, for example with iconv");
+      continue;
     }
+    std::vector<Field> fields = set_fields(set.value, spec->fields[*at]);
     if (fields.size() > 1 && !spec->fields[*at].repeats) {
       diagnostics.error(where, std::string(spec->name),
                         fmt::format("{} takes one value, found {}",

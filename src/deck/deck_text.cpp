@@ -35,28 +35,31 @@ std::string_view wide_encoding(std::string_view text) {
   return text[1] == '\0' ? "UTF-16LE" : "UTF-16BE";
 }
 
-/// Whether all lines end with sequence numbers in columns 73 to 80, as decks of punched
-/// cards do: letters and digits, the last of them a digit.
+/// Whether a line ends with a sequence number in columns 73 to 80: letters and digits,
+/// the last of them a digit.
+bool has_sequence_number(const std::string& line) {
+  constexpr std::size_t first = 72, end = 80;
+  if (line.size() <= first || line.size() > end ||
+      !std::isdigit(static_cast<unsigned char>(line.back()))) {
+    return false;
+  }
+  const std::string tag = line.substr(line.find_first_not_of(' ', first));
+  return std::all_of(tag.begin(), tag.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+/// Whether most lines have sequence numbers, as decks of punched cards do. Lines that
+/// were added by hand have none.
 bool has_sequence_numbers(const std::vector<std::string>& lines) {
-  constexpr std::size_t first = 72, end = 80, fewest_lines = 3;
-  std::size_t numbered = 0;
+  constexpr long fewest_lines = 3;
+  long numbered = 0, others = 0;
   for (std::string line : lines) {
     line.erase(line.find_last_not_of(" \t\x1a") + 1);
-    if (line.empty()) {
-      continue;
+    if (!line.empty()) {
+      ++(has_sequence_number(line) ? numbered : others);
     }
-    if (line.size() <= first || line.size() > end ||
-        !std::isdigit(static_cast<unsigned char>(line.back()))) {
-      return false;
-    }
-    const std::string tag = line.substr(line.find_first_not_of(' ', first));
-    if (!std::all_of(tag.begin(), tag.end(),
-                     [](unsigned char c) { return std::isalnum(c) != 0; })) {
-      return false;
-    }
-    ++numbered;
   }
-  return numbered >= fewest_lines;
+  return numbered >= fewest_lines && numbered > others;
 }
 
 }  // namespace

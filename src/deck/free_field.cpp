@@ -128,6 +128,17 @@ bool Line::is_data() const {
   return is_not_finite_word(first.text) || first.text.find('.') != std::string::npos;
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) {
+      return false;
+    }
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 std::vector<std::string> source_lines(std::string_view text) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") {
     text.remove_prefix(3);

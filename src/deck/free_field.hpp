@@ -50,6 +50,9 @@ inline constexpr const char* comment_hint = "a comment begins with $ or !";
 /// UTF-8 byte order mark.
 std::vector<std::string> source_lines(std::string_view text);
 
+/// Whether all bytes of the text belong to characters of UTF-8.
+bool is_utf8(std::string_view text);
+
 /// Returns the characters of a line, one string each, so that columns count what an
 /// editor shows. A byte that is not valid UTF-8 counts as one character and is shown as
 /// '?'.

@@ -89,7 +89,13 @@ void expect_no_links(hid_t parent, const std::string& path) {
 /// Opens a dataset whose values are in this file.
 Handle open_dataset(hid_t parent, const std::string& path) {
   expect_no_links(parent, path);
-  Handle dataset(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  Handle dataset = [&] {
+    try {
+      return Handle(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+    } catch (const Failure& fault) {
+      throw Failure(path + ": " + fault.what());
+    }
+  }();
   const Handle creation(H5Dget_create_plist(dataset.get()), H5Pclose);
   if (H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
       H5Pget_external_count(creation.get()) != 0)

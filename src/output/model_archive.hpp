@@ -28,12 +28,13 @@ template <class T> Stored<T> to_stored(T value) {
     return static_cast<Stored<T>>(value);
 }
 
-/// Throws Failure if the value does not fit into T, because the file is then invalid.
-template <class T> T from_stored(Stored<T> value) {
+/// Throws Failure if the value of the dataset `name` does not fit into T, because the
+/// file is then invalid.
+template <class T> T from_stored(const std::string& name, Stored<T> value) {
   const T result = static_cast<T>(value);
   if constexpr (!std::is_floating_point_v<T>)
     if (to_stored(result) != value)
-      throw hdf5::Failure("a number is out of range");
+      throw hdf5::Failure(name + " has a number out of range");
   return result;
 }
 
@@ -183,7 +184,7 @@ class LoadingArchive {
     const auto stored = get<Stored<T>>(name);
     if (stored.size() != 1)
       throw hdf5::Failure(name + " is not one number");
-    value = from_stored<T>(stored.front());
+    value = from_stored<T>(name, stored.front());
   }
   void operator()(const std::string& name, std::string& text) {
     text = hdf5::read_text(group_, name);
@@ -210,7 +211,7 @@ class LoadingArchive {
   template <Number T> void operator()(const std::string& name, std::vector<T>& values) {
     values.clear();
     for (const auto stored : get<Stored<T>>(name))
-      values.push_back(from_stored<T>(stored));
+      values.push_back(from_stored<T>(name, stored));
   }
   template <class Derived>
   void operator()(const std::string& name, Eigen::PlainObjectBase<Derived>& matrix) {
@@ -260,8 +261,9 @@ class LoadingArchive {
     std::vector<RecordColumn> all;
     std::size_t row = 0, next = 0;
     template <Number T> void operator()(const char* name, T& member) {
-      member = from_stored<T>(value<Stored<T>>(
-          name, [&] { return from.get<Stored<T>>(list + "/" + name); }));
+      const std::string column = list + "/" + name;
+      member = from_stored<T>(
+          column, value<Stored<T>>(name, [&] { return from.get<Stored<T>>(column); }));
     }
     void operator()(const char* name, std::string& member) {
       member = value<std::string>(name, [&] {

@@ -111,10 +111,10 @@ Colour ColourMap::at(double s) const {
 
 ColourMap ColourMap::for_range(double low, double high) const {
   ColourMap part = *this;
-  if (diverging && low <= 0.0 && high >= 0.0 && low < high) {
+  if (diverging && low < high) {
     const double largest = std::max(-low, high);
-    part.first = 0.5 * (1.0 + low / largest);
-    part.last = 0.5 * (1.0 + high / largest);
+    part.first = low >= 0.0 ? 0.5 : 0.5 * (1.0 + low / largest);
+    part.last = high <= 0.0 ? 0.5 : 0.5 * (1.0 + high / largest);
   }
   return part;
 }

@@ -30,9 +30,9 @@ struct ColourMap {
 
   /// Returns the colour at s, 0 <= s <= 1 (clamped).
   Colour at(double s) const;
-  /// Returns the map for a range of values. If the range holds zero, that of a
-  /// diverging map is a part in which zero keeps the colour in the middle of the map:
-  /// one half if the range begins or ends at 0.
+  /// Returns the map for a range of values. That of a diverging map is a part in which
+  /// zero keeps the colour in the middle of the map; for a range of one sign it is the
+  /// half of that sign.
   ColourMap for_range(double low, double high) const;
 };
 

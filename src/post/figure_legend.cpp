@@ -312,7 +312,8 @@ class Legend {
       cairo_move_to(cairo_, x, top + thick);
       cairo_rel_line_to(cairo_, 0, 4);
       pen_.stroke(0.8, ink);
-      pen_.text(marked.labels[i], x, top + thick + 7, 13, ink, 0.5, 0);
+      const double last = place_.x + room() - 0.5 * pen_.width(marked.labels[i], 13);
+      pen_.text(marked.labels[i], std::min(x, last), top + thick + 7, 13, ink, 0.5, 0);
     }
     pen_.text(marked.offset, left + width, y_ + 8, 13, ink, 1, 0.5);
     y_ += low_bar;

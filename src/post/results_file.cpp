@@ -236,6 +236,9 @@ std::vector<RecordedHistory> ResultsReader::File::read_recorded() const {
       throw Failure(place + " has the wrong shape");
     const auto count = static_cast<hsize_t>(rows);
     section.time = time.read<double>(0, count);
+    if (!std::all_of(section.time.begin(), section.time.end(),
+                     [](double t) { return std::isfinite(t); }))
+      throw Failure(place + "/time is not finite");
     const std::vector<double> stored = values.read<double>(0, count);
     section.values = Eigen::Map<const Eigen::MatrixXd>(
         stored.data(), static_cast<Eigen::Index>(values.width()), rows);

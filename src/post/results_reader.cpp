@@ -101,6 +101,10 @@ ResultsReader::ResultsReader(const std::string& path)
   try {
     std::tie(from.times, from.title, from.names) =
         output::with_file_errors("read", path, [&] { return from.soundly(read); });
+    if (!std::all_of(from.times.begin(), from.times.end(),
+                     [](double time) { return std::isfinite(time); }))
+      throw output::FileError(
+          fmt::format("cannot read {}: Values are not finite", path));
     if (from.names.units.known())
       from.units = from.names.units;
   } catch (const output::FileError& error) {

@@ -161,6 +161,25 @@ TEST(Overrides, AreCheckedLikeTheDeck) {
       "cannot change it\n  hint: add the card to the deck\n6 errors\n");
 }
 
+// The value of --set has no comments, and a word needs no quotes.
+TEST(Overrides, TakeWordsAsTheyAre) {
+  for (const char* name : {"a!b$c", "soft rock", "  wet, clay ", "'soft rock'"}) {
+    const Parsed p =
+        parse_text(preliminary_cards + "CYCLE, 1\n", {{"MATERIAL", "name", name}});
+    EXPECT_EQ(p.messages, "") << name;
+    std::string expected = name;
+    std::erase(expected, '\'');
+    expected = expected.substr(expected.find_first_not_of(' '));
+    expected.erase(expected.find_last_not_of(' ') + 1);
+    EXPECT_EQ(p.only<Material>().name.value, expected);
+  }
+  EXPECT_THAT(parse_text(preliminary_cards + "MOTION, 1\n",
+                         {{"MOTION", "dt", ".3 $ hello"}, {"BOXES", "ctol", "\xff"}})
+                  .messages,
+              AllOf(HasSubstr("dt, found '.3 $ hello'"),
+                    HasSubstr("BOXES: the value is not in UTF-8")));
+}
+
 TEST(Overrides, ChangeTheLengthOfListsTheyCount) {
   const std::string text = preliminary_cards + "CREATE, 4, 1\n0,1,1\n0,1,0\n";
   EXPECT_EQ(parse_text(text, {{"CREATE", "nc", "3"}}).messages, "");

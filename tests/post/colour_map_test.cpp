@@ -57,6 +57,19 @@ TEST(ColourMap, ForSignedQuantitiesIsLightestInTheMiddle) {
   EXPECT_GT(map.at(1).r, map.at(1).b);
 }
 
+TEST(ColourMap, KeepsTheColourOfASignWhateverTheRange) {
+  const ColourMap map = colour_map("bluered");
+  const auto ends = [&](double low, double high) {
+    const ColourMap part = map.for_range(low, high);
+    return std::pair(part.first, part.last);
+  };
+  EXPECT_EQ(ends(-2, 2), std::pair(0.0, 1.0));
+  EXPECT_EQ(ends(-2, 1), std::pair(0.0, 0.75));
+  EXPECT_EQ(ends(0, 8), std::pair(0.5, 1.0));
+  EXPECT_EQ(ends(5, 8), std::pair(0.5, 1.0));
+  EXPECT_EQ(ends(-20, -5), std::pair(0.0, 0.5));
+}
+
 /// Returns the contrast ratio of two colours, 1 to 21 (WCAG 2).
 double contrast(const Colour& a, const Colour& b) {
   const double high = std::max(luminance(a), luminance(b));

@@ -25,13 +25,13 @@ function colour_range(q) {
   return [typed[0] ?? low, typed[1] ?? high];
 }
 
-/// Returns the colours of a range. If the range holds zero, those of a diverging map are a part of it in
-/// which zero keeps the colour in the middle: one half if the range begins or ends at 0.
+/// Returns the colours of a range. Those of a diverging map are a part of it in which zero keeps the
+/// colour in the middle; for a range of one sign it is the half of that sign.
 function colours_of(q, [low, high]) {
   const {diverging, colours} = colour_map(q), middle = (colours.length - 1) / 2;
-  if (!diverging || low > 0 || high < 0 || !(low < high)) return colours;
+  if (!diverging || !(low < high)) return colours;
   const end = (value) => Math.round(middle * (1 + value / Math.max(-low, high)));
-  return colours.slice(end(low), end(high) + 1);
+  return colours.slice(low < 0 ? end(low) : middle, (high > 0 ? end(high) : middle) + 1);
 }
 
 /// Returns a function that gives the colour of a block of that half in that frame.
