@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "dynamics/search/near_pairs.hpp"
@@ -101,6 +102,20 @@ Eigen::VectorXd packed_contacts(const Blocks& blocks, double tolerance) {
   for (const auto& [low, high] : pairs)
     counter.add_corners(low, high), counter.add_corners(high, low);
   return counter.counts();
+}
+
+int touching_corners(const Blocks& blocks, int a, int b, double tolerance) {
+  const auto near = [&](int block, const Vec2& point) {
+    for (int c = blocks.first_corner[block]; c < blocks.first_corner[block + 1]; ++c)
+      if (distance_from_side(blocks, c, point) <= tolerance * tolerance)
+        return true;
+    return false;
+  };
+  int count = 0;
+  for (const auto& [block, other] : {std::pair{a, b}, std::pair{b, a}})
+    for (int c = blocks.first_corner[other]; c < blocks.first_corner[other + 1]; ++c)
+      count += near(block, blocks.corner.col(c)) ? 1 : 0;
+  return count;
 }
 
 Eigen::VectorXd contact_shares(const Model& model) {

@@ -14,6 +14,10 @@ namespace blocks::dynamics {
 /// give both the same highest frequency.
 Eigen::VectorXd packed_contacts(const Blocks& blocks, double tolerance);
 
+/// Returns how many corners of two blocks are within `tolerance` [L] of the outline of
+/// the other one.
+int touching_corners(const Blocks& blocks, int a, int b, double tolerance);
+
 /// Returns by how much the stiffness of STIFF has to be multiplied in (4), (n), so that
 /// a step that is safe for 8 contacts is safe for those of packed_contacts(). It is at
 /// least 1.

@@ -237,9 +237,9 @@ void Simulation::State::factor_of_safety(const deck::Fos& card, int line) {
   model.safety_factors.push_back(run::begin_search(card, line));
   const Model base = run::state_before_last(model);
   SafetyFactor& record = model.safety_factors.back();
-  if (std::string lost = run::lost_blocks_warning(record, model.exits.size());
-      !lost.empty())
-    warnings.push_back(std::move(lost));
+  for (std::string& doubt :
+       run::state_warnings(record, model.exits.size(), run::is_moving(model)))
+    warnings.push_back(std::move(doubt));
   try {
     static_cast<void>(run::set_limits(record, base, card, threads, look_up));
     run::SafetySearch search(base, record, card.as_solve(), threads, threads, never);

@@ -64,10 +64,10 @@ std::vector<BlockSide> sides_of_joint(const Blocks& blocks, int id) {
 }
 
 std::vector<BlockSide> sides_on(const Blocks& blocks, const Vec2& a, const Vec2& b,
-                                SidesOf which) {
+                                SidesOf which, double tolerance) {
   constexpr double rounding_part = 1e-9;
   const Vec2 line = b - a;
-  const double length = line.norm(), room = rounding_part * length;
+  const double length = line.norm(), room = std::max(rounding_part * length, tolerance);
   if (!(length > 0.0))
     return {};
   const Vec2 along = line / length;

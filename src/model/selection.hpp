@@ -37,10 +37,11 @@ std::vector<BlockSide> sides_of_joint(const Blocks& blocks, int id);
 /// left or right.
 enum class SidesOf { both, left, right };
 
-/// Returns the sides that lie on the line from a to b, with both corners. Corners on
-/// slanted lines are rounded, so each may be 1e-9 of the length away from it.
+/// Returns the sides that lie on the line from a to b, with both corners. Each corner
+/// may be as far away as `tolerance` [L], but at least 1e-9 of the length, because
+/// corners on slanted lines are rounded.
 std::vector<BlockSide> sides_on(const Blocks& blocks, const Vec2& a, const Vec2& b,
-                                SidesOf which);
+                                SidesOf which, double tolerance = 0.0);
 
 /// Returns the corner nearest to the point: of several, the one with the lowest block
 /// and corner. Its block is -1 if there are no blocks.

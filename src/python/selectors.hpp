@@ -38,9 +38,10 @@ void bind_selectors(Class& bound, BlocksOf blocks_of) {
              return pairs_of(sides_of_joint(blocks_of(self), id));
            })
       .def("_sides_on",
-           [blocks_of](Self& self, double x1, double y1, double x2, double y2) {
-             return pairs_of(
-                 sides_on(blocks_of(self), {x1, y1}, {x2, y2}, SidesOf::both));
+           [blocks_of](Self& self, double x1, double y1, double x2, double y2,
+                       double tolerance) {
+             return pairs_of(sides_on(blocks_of(self), {x1, y1}, {x2, y2},
+                                      SidesOf::both, tolerance));
            })
       .def("_nearest_corner", [blocks_of](Self& self, double x, double y) {
         const BlockCorner found = nearest_corner(blocks_of(self), {x, y});

@@ -153,12 +153,8 @@ Analysis analyse(const Ensemble& ensemble, const Precision& precision) {
     for (std::size_t c = 0; c < ensemble.columns.size(); ++c)
       group.columns.push_back(statistics_of(ensemble, g, c, precision));
     for (const std::size_t r : ensemble.groups[g].rows)
-      if (const RunRow& row = ensemble.rows[r]; ensemble.counts(row) && row.safety) {
+      if (const RunRow& row = ensemble.rows[r]; ensemble.counts(row) && row.safety)
         group.failure.add(*row.safety);
-        if (!analysis.failure)
-          analysis.failure.emplace();
-        analysis.failure->add(*row.safety);
-      }
     std::vector<const std::vector<double>*> profiles;
     for (const std::size_t r : ensemble.groups[g].rows)
       if (!ensemble.rows[r].profile.empty())

@@ -54,8 +54,6 @@ struct Analysis {
   std::optional<std::size_t> compared;
   /// The numbers of the compared parameter, (groups), if it has numbers only.
   std::vector<double> axis;
-  /// Of all groups; empty if no run has a factor of safety.
-  std::optional<FailureCount> failure;
   std::vector<Sensitivity> sensitivities;  ///< of the sweeps with a Sobol design
 };
 

@@ -35,13 +35,15 @@ std::optional<SafetyBracket> safety_bracket(const sweep::Outcome& outcome);
 /// Returns the value of a measure that is one of safety_names().
 double safety_value(const SafetyBracket& bracket, const Measure& measure);
 
-/// How many runs have F < 1. The runs are those that are done and have a bracket.
+/// How many runs of a group have F < 1. The runs are those that are done and have a
+/// bracket. Groups are not added: a share over the values of a parameter has no meaning.
 struct FailureCount {
   std::size_t failing = 0;    ///< upper <= 1
   std::size_t stable = 0;     ///< lower >= 1
   std::size_t undecided = 0;  ///< the bracket has 1 inside, or an end is not proved
 
   void add(const SafetyBracket& bracket);
+  std::size_t total() const { return decided() + undecided; }
   std::size_t decided() const { return failing + stable; }
   /// Returns failing / decided; NaN if no run is decided.
   double share() const;

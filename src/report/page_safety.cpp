@@ -1,7 +1,9 @@
 // The factor of safety on the page.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "report/html_text.hpp"
 #include "report/page_writer.hpp"
@@ -22,11 +24,14 @@ std::string failure_cells(const FailureCount& count) {
 }  // namespace
 
 void PageWriter::failures() {
-  if (!analysis_.failure)
+  const auto& groups = analysis_.groups;
+  if (std::none_of(groups.begin(), groups.end(), [](const GroupStatistics& group) {
+        return group.failure.total() > 0;
+      }))
     return;
   text_ += "<section>\n<h2>Factor of safety</h2>\n<p>" +
-           escaped(failure_words(*analysis_.failure)) +
-           ". A run has F &lt; 1 if the upper proved end is at most 1, and not if the "
+           (several_ ? "" : escaped(failure_words(groups.front().failure)) + ". ") +
+           "A run has F &lt; 1 if the upper proved end is at most 1, and not if the "
            "lower one is at least 1. Otherwise it is undecided and counts as "
            "neither.</p>\n";
   if (several_) {

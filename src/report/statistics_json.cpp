@@ -95,6 +95,8 @@ Json group_json(const Ensemble& ensemble, const Analysis& analysis, std::size_t 
                {"ended", group.ended},
                {"outcomes", outcomes},
                {"quantities", columns}};
+  if (group.failure.total() > 0)
+    json["factor_of_safety_below_1"] = failure_json(group.failure);
   if (group.differences) {
     Json list = Json::array();
     for (std::size_t c = 0; c < ensemble.columns.size(); ++c) {
@@ -170,8 +172,6 @@ std::string statistics_json(const Ensemble& ensemble, const Analysis& analysis) 
                        {"quantity", ensemble.profile->quantity},
                        {"position_unit", post::unit_text(length, ensemble.units)},
                        {"position", numbers_json(ensemble.positions)}};
-  if (analysis.failure)
-    json["factor_of_safety_below_1"] = failure_json(*analysis.failure);
   if (!analysis.sensitivities.empty())
     json["sobol_indices"] = sensitivities_json(ensemble, analysis);
   json["groups"] = groups;

@@ -11,14 +11,14 @@ namespace blocks::report {
 std::string statistics_text(const Ensemble& ensemble, const Analysis& analysis) {
   std::string text = ensemble.title.empty() ? "" : ensemble.title + '\n';
   text += sweep_words(ensemble) + '\n';
-  if (analysis.failure)
-    text += failure_words(*analysis.failure) + '\n';
   constexpr std::size_t most_groups = 20;
   for (std::size_t g = 0; g < std::min(ensemble.groups.size(), most_groups); ++g) {
     const GroupStatistics& group = analysis.groups[g];
     const std::string name = ensemble.name_of(ensemble.groups[g]);
     text +=
         fmt::format("\n{}{}{}\n", name, name.empty() ? "" : ": ", outcome_words(group));
+    if (group.failure.total() > 0)
+      text += failure_words(group.failure) + '\n';
     std::vector<std::vector<std::string>> rows = {
         {"", "unit", "n", "mean", "95 % interval", "sd", "5 %", "median", "95 %",
          "runs for " + analysis.precision.words()}};

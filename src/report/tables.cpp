@@ -74,15 +74,6 @@ std::string difference_row(const Ensemble& ensemble, const Column& column,
                             quoted(ensemble.name_of(ensemble.groups[reference])));
 }
 
-/// The row of all groups: its cells of parameters are empty.
-std::string failure_row(const FailureCount& count) {
-  const Interval interval = count.interval();
-  std::string line = fmt::format(
-      "failure,fos<1,,{},{},{},{},{},{},wilson", count.decided(), count.undecided,
-      count.failing, cell(count.share()), cell(interval.low), cell(interval.high));
-  return line + std::string(16, ',') + '\n';
-}
-
 /// A row for one index of a parameter, which is in the column `reference`.
 std::string index_row(const char* kind, const Column& column,
                       const SobolIndices& indices, double value,
@@ -138,9 +129,6 @@ std::string statistics_csv(const Ensemble& ensemble, const Analysis& analysis) {
   }
   for (const Sensitivity& one : analysis.sensitivities)
     text += index_rows(ensemble, one, parameter_cells(ensemble.groups[one.group]));
-  if (analysis.failure)
-    text +=
-        std::string(ensemble.parameters.size(), ',') + failure_row(*analysis.failure);
   return text;
 }
 

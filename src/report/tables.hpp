@@ -18,7 +18,6 @@ namespace blocks::report {
 ///     difference  the paired differences of a measure from the reference group
 ///     first_order, total   the Sobol indices of a measure; n rows of the design count,
 ///                 `missing` do not, and `reference` has the parameter
-///     failure     all runs with F < 1; `missing` counts those that are not decided
 ///
 /// Numbers are written so that they can be read back exactly; missing ones are empty.
 std::string statistics_csv(const Ensemble& ensemble, const Analysis& analysis);

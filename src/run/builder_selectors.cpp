@@ -130,12 +130,14 @@ std::optional<SelectedSides> Builder::select_sides(const Command& command,
                                                    deck::SourceLocation where,
                                                    const deck::Selector& selector) {
   const Blocks& blocks = model_.blocks;
+  const double tolerance = has_moved() ? model_.settings.contact_tolerance : 0.0;
   if (selector.by == By::joint)
     return SelectedSides{
         sides_of_joint(blocks, static_cast<int>(selector.numbers[0].value())), {}};
   if (selector.by == By::on) {
     const Plane line{point_of(selector, 0), point_of(selector, 2)};
-    return SelectedSides{sides_on(blocks, line.a, line.b, SidesOf::both), line};
+    return SelectedSides{sides_on(blocks, line.a, line.b, SidesOf::both, tolerance),
+                         line};
   }
   const auto k = static_cast<std::size_t>(selector.numbers[0].value());
   if (last_outline_.empty() && (unread_.has("CUT") || failed_blocks_ > 0))
@@ -154,7 +156,8 @@ std::optional<SelectedSides> Builder::select_sides(const Command& command,
   const Plane line{last_outline_[k - 1], last_outline_[k % last_outline_.size()]};
   const bool anticlockwise = geometry::check_outline(last_outline_).anticlockwise;
   return SelectedSides{
-      sides_on(blocks, line.a, line.b, anticlockwise ? SidesOf::left : SidesOf::right),
+      sides_on(blocks, line.a, line.b, anticlockwise ? SidesOf::left : SidesOf::right,
+               tolerance),
       line};
 }
 

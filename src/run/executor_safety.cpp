@@ -15,10 +15,10 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
   const GiveUp give_up = [this] { return interrupt_requested() || time_is_up(); };
   if (!begun_) {
     model_.safety_factors.push_back(begin_search(card, line));
-    if (const std::string lost =
-            lost_blocks_warning(model_.safety_factors.back(), model_.exits.size());
-        !lost.empty())
-      warn(lost);
+    for (const std::string& doubt :
+         state_warnings(model_.safety_factors.back(), model_.exits.size(),
+                        is_moving(model_)))
+      warn(doubt);
     for (const TrialOutcome outcome : {TrialOutcome::stable, TrialOutcome::failing})
       if (const std::string aside = files_.move_state_aside(name_of_state(outcome));
           !aside.empty())

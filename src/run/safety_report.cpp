@@ -70,14 +70,21 @@ std::string safety_line(const SafetyFactor& card, std::span<const SafetyTrial> t
   return where + "no factor of safety was found" + after;
 }
 
-std::string lost_blocks_warning(const SafetyFactor& card, std::size_t exits) {
-  if (exits == 0)
-    return {};
-  return place_of(card) +
-         fmt::format("{} left the domain before it, and only the rest is judged: if "
-                     "rock has failed on its way to rest, bring it to rest with strong "
-                     "joints first, and give their true strength before FOS",
-                     exits == 1 ? "1 block has" : fmt::format("{} blocks have", exits));
+std::vector<std::string> state_warnings(const SafetyFactor& card, std::size_t exits,
+                                        bool moves) {
+  std::vector<std::string> warnings;
+  if (exits > 0)
+    warnings.push_back(
+        place_of(card) +
+        fmt::format("{} left the domain before it, and only the rest is judged: if "
+                    "rock has failed on its way to rest, bring it to rest with strong "
+                    "joints first, and give their true strength before FOS",
+                    exits == 1 ? "1 block has" : fmt::format("{} blocks have", exits)));
+  if (moves)
+    warnings.push_back(place_of(card) +
+                       "blocks move, and trials should start from rest: put SOLVE "
+                       "between the last card that moves them and FOS");
+  return warnings;
 }
 
 std::string safety_warning(const SafetyFactor& card,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "model/safety_factor.hpp"
 
@@ -15,9 +16,11 @@ std::string trial_line(const SafetyTrial& trial);
 /// Returns the result: the bracket, the number of trials and all their steps.
 std::string safety_line(const SafetyFactor& card, std::span<const SafetyTrial> trials);
 
-/// Returns a warning if blocks have left the domain before the card, so that only what
-/// remains is judged; otherwise empty.
-std::string lost_blocks_warning(const SafetyFactor& card, std::size_t exits);
+/// Returns warnings about the state before the card: blocks have left the domain, so
+/// that only what remains is judged, or blocks move, so that trials do not start from
+/// rest.
+std::vector<std::string> state_warnings(const SafetyFactor& card, std::size_t exits,
+                                        bool moves);
 
 /// Returns why the bracket has no end, or is wider than wanted; empty if it is as
 /// wanted.

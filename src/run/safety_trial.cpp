@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "dynamics/cracks/cracking.hpp"
 #include "dynamics/mass_scaling.hpp"
 #include "dynamics/stepper.hpp"
+#include "dynamics/travel_time.hpp"
 #include "run/convergence.hpp"
 #include "run/soundness.hpp"
 
@@ -94,7 +94,7 @@ Distance farthest(const Blocks& before, const Blocks& after) {
 /// Returns whether the motion is that of a failing model. `responses` is the number of
 /// steps so far over the response of the model.
 bool is_failing(double responses, const Growth& growth, const Distance& moved) {
-  constexpr double many = 30.0, notable = 1e-4, few = 2.0, far = 0.05;
+  constexpr double many = 30.0, notable = 0.01, few = 2.0, far = 0.05;
   constexpr double goes_on = 0.8, grows = 1.5;
   return (responses >= many && moved.of_size > notable && growth.grows_by(goes_on)) ||
          (responses >= few && moved.of_size > far && growth.grows_by(grows));
@@ -120,17 +120,17 @@ double usual_acceleration(const Model& model) {
   return mass > 0.0 ? model.settings.gravity.norm() + force / mass : 0.0;
 }
 
-/// Gives all free blocks the same small speed, in directions that differ by the golden
-/// angle from block to block.
+/// Gives all free blocks the same small velocity, in a direction between that of gravity
+/// and level, so that the slowest modes have most of its energy.
 void disturb(Model& model) {
   constexpr double small = 1e-3;
+  const Vec2 gravity = model.settings.gravity;
+  const Vec2 down = gravity.norm() > 0.0 ? Vec2(gravity.normalized()) : Vec2(0.0, -1.0);
+  const Vec2 slanted = (down + Vec2(-down.y(), down.x())).normalized();
   const double speed = small * usual_acceleration(model) * model.time_step.dt;
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (int b = 0; b < model.blocks.size(); ++b)
-    if (model.blocks.is_free(b)) {
-      const double angle = golden * b;
-      model.blocks.velocity.col(b) = speed * Vec2(std::cos(angle), std::sin(angle));
-    }
+    if (model.blocks.is_free(b))
+      model.blocks.velocity.col(b) = speed * slanted;
 }
 
 }  // namespace
@@ -152,10 +152,22 @@ bool Growth::grows_by(double factor) const {
   return later >= factor * early && late >= factor * later;
 }
 
+bool is_moving(const Model& base) {
+  constexpr double small = 1e-6;
+  const double acceleration = usual_acceleration(base);
+  for (int b = 0; b < base.blocks.size(); ++b)
+    if (base.blocks.is_free(b) &&
+        0.5 * std::pow(speed_of(base.blocks, b), 2) >
+            small * acceleration * std::sqrt(base.blocks.area[b]))
+      return true;
+  return false;
+}
+
 long response_steps(const Model& base, long most, int threads, const GiveUp& give_up) {
-  constexpr double weaker = 1e-3, part = 0.05;
+  constexpr double reduction = 1e-3, part = 0.05;
   constexpr long fewest = 50;
-  Copy copy(base, weaker, threads);
+  Copy copy(base, reduction, threads);
+  const double period = 4.0 * dynamics::longest_travel_time(copy.model());
   disturb(copy.model());
   const double forgotten = part * part * kinetic_energy(copy.model().blocks);
   Growth growth;
@@ -168,7 +180,8 @@ long response_steps(const Model& base, long most, int threads, const GiveUp& giv
     ends = ends || (below && energy <= forgotten) || growth.grows_by(1.5);
     below = energy <= forgotten;
   }
-  return std::max(steps, fewest);
+  const auto swing = static_cast<long>(std::ceil(period / copy.now().time_step.dt));
+  return std::min(std::max({steps, swing, fewest}), most);
 }
 
 TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card,

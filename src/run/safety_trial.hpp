@@ -11,7 +11,7 @@
 
 namespace blocks::run {
 
-/// Whether to give up: asked between two steps, by several threads at once.
+/// Whether to give up: asked at each test, by several threads at once.
 using GiveUp = std::function<bool()>;
 
 /// Follows the speed of the fastest block during a trial.
@@ -42,19 +42,26 @@ struct TrialResult {
   bool given_up = false;
 };
 
-/// Returns the number of steps in which the model forgets a disturbance. A copy with a
-/// thousand times the strength gets small velocities in all directions; the number is
-/// that of the steps in which they fall to a twentieth, at least 50 and at most `most`.
-/// It ends earlier if the speed grows steadily, because then the model is not at rest.
-/// The model must be prepared (dynamics::prepare).
+/// Returns the response of the model: the number of steps in which it forgets a
+/// disturbance, at least 50 and at most `most`. All blocks of a copy with a thousand
+/// times the strength get the same small velocity; the number is that of the steps in
+/// which the root of the kinetic energy falls to a twentieth. It ends earlier if the
+/// speed grows steadily, because then the model is not at rest. But blocks that slide
+/// swing together, which strong ones do not; so the response is not less than the
+/// period of a row of blocks as long as the longest way through the model
+/// (dynamics::longest_travel_time). The model must be prepared (dynamics::prepare).
 long response_steps(const Model& base, long most, int threads, const GiveUp& give_up);
+
+/// Whether a block is so fast that it could rise by a millionth of its size against the
+/// mean acceleration. Then trials do not start from rest.
+bool is_moving(const Model& base);
 
 /// Runs a copy of the model with its strength divided by `factor`, and judges it every
 /// Solve::test_interval steps:
 /// - stable: the forces are balanced as SOLVE wants it, and the fastest block is not
 ///   faster than at a quarter of the steps;
 /// - failing: the motion goes on for 30 responses, so that the speed falls by at most a
-///   fifth from part to part (Growth), and a block has moved by 1e-4 of its
+///   fifth from part to part (Growth), and a block has moved by a hundredth of its
 ///   size, the root of its area; or the speed grows by half from part to part, for at
 ///   least two responses, and a block has moved by a twentieth of its size; or a block
 ///   has left the domain. Motion with a local ratio below a thousandth of the wanted

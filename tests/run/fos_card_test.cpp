@@ -1,4 +1,5 @@
 // FOS finds the factor of safety and leaves the model as it is.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -168,6 +169,39 @@ TEST(FosCard, NeverTakesAFallForRest) {
           "GRAVITY, 0, -9.81\nFRICTN, .5\nLOCDAMP, .8\nSOLVE, , 100\nFOS\nSTOP\n");
   EXPECT_TRUE(found(folder, "a")["lower"].is_null());
   EXPECT_THAT(run.err, HasSubstr("joints cannot hold it"));
+}
+
+TEST(FosCard, WarnsIfBlocksMoveBefore) {
+  const TemporaryFolder folder;
+  const Outcome run = run_text(
+      folder, "a", block_on_plane + "SETVEL, 2, , .1, 0.\nFOS, .2\nSTOP\n");
+  EXPECT_THAT(run.err, HasSubstr("blocks move, and trials should start from rest"));
+  EXPECT_THAT(run_text(folder, "b", block_on_plane + "FOS, .2\nSTOP\n").err,
+              Not(HasSubstr("should start from rest")));
+}
+
+// A row of 60 cubes on a floor is pushed at one end by the force that it resists at F =
+// 1.7. Below that its cubes close up slowly, the first one by a twentieth of its size.
+// That swing is no failure.
+TEST(FosCard, DoesNotTakeASlowSwingForFailure) {
+  const TemporaryFolder folder;
+  constexpr int cubes = 60;
+  constexpr double factor = 1.7, weight = 9810.0;
+  std::string deck = preliminary("FUNCTION, 2\n0, 1\n1, 1\nRIGID\n");
+  deck.replace(deck.find("-10, 10"), 7, "-9, 99");
+  deck.replace(deck.find("FRACTION, 0.02"), 14, "FRACTION");
+  deck += rectangle(-1, -1, cubes + 2, 0, true);
+  for (int i = 0; i < cubes; ++i)
+    deck += rectangle(i, 0, i + 1, 1);
+  run_text(folder, "a",
+           deck + fmt::format("GRAVITY, 0, -9.81\nFRICTN, .5\nFORCE, 2, {}\n"
+                              "LOCDAMP, .8\nSOLVE\nFOS, .05\nSTOP\n",
+                              cubes * weight * 0.5 / factor));
+  EXPECT_LT(found(folder, "a")["lower"], factor);
+  EXPECT_GT(found(folder, "a")["upper"], factor);
+  EXPECT_LE(found(folder, "a")["upper"].get<double>() -
+                found(folder, "a")["lower"].get<double>(),
+            0.05);
 }
 
 // What has failed on the way to rest is not there any more.

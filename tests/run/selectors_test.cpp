@@ -110,6 +110,16 @@ TEST_F(SelectorCards, HistoryOfABoxIsThatOfItsBlocks) {
   EXPECT_THAT(shown.out, HasSubstr("y:2-3/5-6"));
 }
 
+// Rock that has settled is no longer exactly on the edge of its outline.
+TEST_F(SelectorCards, AnEdgeIsFoundAfterBlocksHaveMoved) {
+  const Outcome run = run_text(
+      folder_, "a",
+      cut_square() + rectangle(-9, -6, 9, -5, true) +
+          "GRAVITY, 0, -9.81\nFRICTN, .5\nLOCDAMP, .8\nSOLVE\n"
+          "PRESSBC, , edge(2), 1.E4, 1.E4\nPRESSBC, , on(-5, 5, 5, 5), 1, 1\nCYCLE, 1\n");
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
 // Side 2 of a block of CREATE is its top. The pressure along an edge is that of the
 // points of the edge: here 0 at x = -5 and 10 at x = 5.
 TEST_F(SelectorCards, PressureIsLinearAlongAnEdge) {

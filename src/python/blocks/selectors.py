@@ -52,12 +52,13 @@ class Selectors:
         """Returns the sides (k, 2) with a joint id: the block, and the side in it; both from 0."""
         return _pairs(self._chooser._sides_of_joint(joint))
 
-    def sides_on(self, x1: float, y1: float, x2: float, y2: float) -> NDArray[np.int64]:
+    def sides_on(self, x1: float, y1: float, x2: float, y2: float, tolerance: float = 0.0) -> NDArray[np.int64]:
         """Returns the sides (k, 2) on the line between two points [L]: the block, and the side in it; both from 0.
 
-        Both corners lie on the line, up to 1e-9 of its length.
+        Both corners lie on the line, up to `tolerance` [L], but at least 1e-9 of its length. Blocks that have moved
+        need a tolerance, such as ctol of BOXES.
         """
-        return _pairs(self._chooser._sides_on(x1, y1, x2, y2))
+        return _pairs(self._chooser._sides_on(x1, y1, x2, y2, tolerance))
 
     def nearest_corner(self, x: float, y: float) -> tuple[int, int]:
         """Returns the block and the number in it, both from 0, of the corner nearest to the point (x, y) [L].
