@@ -55,9 +55,10 @@ SafetyBracket bracket_of(std::span<const SafetyTrial> trials);
 
 /// Returns the factor of the next trial; empty if the bracket is narrow enough, or
 /// cannot become narrower. Bounds that the card gives are tried first. A bound that it
-/// does not give is looked for from 1 on by halves and doubles, to 1/64 and 64, or
-/// until two trials were undecided. Then the bracket is halved. If factors within it
-/// are undecided, the parts below and above all of them are halved.
+/// does not give is looked for from 1, or half of `upper` if that is less, by halves and
+/// doubles, to 1/64 and 64, or until two trials were undecided. Then the bracket is
+/// halved. If factors within it are undecided, the parts below and above all of them
+/// are halved.
 std::optional<double> next_factor(const SafetyFactor& card,
                                   std::span<const SafetyTrial> trials);
 
