@@ -53,6 +53,61 @@ void expect_replaceable(const std::string& path) {
                     ": it is not a regular file; choose another name");
 }
 
+void expect_regular(const std::string& path) {
+  using Type = std::filesystem::file_type;
+  const auto refuse = [&](const char* what) {
+    throw FileError(fmt::format("cannot read {}: it is {}", path, what));
+  };
+  std::error_code ignored;
+  switch (std::filesystem::status(path, ignored).type()) {
+  case Type::directory:
+    refuse("a folder");
+    break;
+  case Type::fifo:
+    refuse("a FIFO, not a regular file");
+    break;
+  case Type::character:
+  case Type::block:
+    refuse("a device, not a regular file");
+    break;
+  case Type::socket:
+    refuse("a socket, not a regular file");
+    break;
+  default:
+    break;  // opening a missing file reports why
+  }
+}
+
+bool has_text(const std::string& path, std::int64_t at, std::string_view text) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    return false;
+  std::ifstream in(path, std::ios::binary);
+  std::string head(text.size(), '\0');
+  return in.seekg(at).read(head.data(), static_cast<std::streamsize>(head.size())) &&
+         head == text;
+}
+
+void expect_no_link(const std::string& folder) {
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(folder, ignored))
+    throw FileError(fmt::format("cannot write to {}: it is a link", folder));
+}
+
+std::string set_aside(const std::string& path) {
+  const auto is_there = [](const std::string& file) {
+    std::error_code ignored;
+    return std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
+  };
+  if (!is_there(path))
+    return {};
+  std::string ending = ".bak";
+  for (int number = 2; is_there(path + ending); ++number)
+    ending = fmt::format(".bak{}", number);
+  move_file(path, path + ending);
+  return ending;
+}
+
 void create_folder_of(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code fault;

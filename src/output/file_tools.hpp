@@ -18,6 +18,22 @@ namespace blocks::output {
 /// renames it.
 void expect_replaceable(const std::string& path);
 
+/// Throws FileError if `path`, or the target of its link, is a folder, a FIFO, a device
+/// or a socket. Call it before a file is read to its end: a FIFO may have no writer and
+/// a device no end. A missing file passes.
+void expect_regular(const std::string& path);
+
+/// Whether `path` is a regular file, not a link, and has this text at byte `at`.
+bool has_text(const std::string& path, std::int64_t at, std::string_view text);
+
+/// Throws FileError if `folder` is a link, so that files in it would be elsewhere.
+void expect_no_link(const std::string& folder);
+
+/// Renames an existing file to the first of PATH.bak, PATH.bak2, ... that is free.
+/// Returns its ending, or an empty text if there is no file. Throws FileError if the
+/// file is not a regular file or cannot be renamed.
+std::string set_aside(const std::string& path);
+
 /// Creates a new, empty file. If the name exists, even as a link to a missing file,
 /// throws FileError and changes nothing.
 void create_new_file(const std::string& path);

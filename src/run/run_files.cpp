@@ -24,17 +24,6 @@ bool exists(const std::string& path) {
 constexpr const char* endings[] = {".out", ".vtkhdf", ".ckpt.h5", ".ckpt.h5.prev",
                                    ".summary.json"};
 
-/// Whether a regular file begins with this text at this place.
-bool has_text(const std::string& path, std::streamoff at, const std::string& text) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
-    return false;
-  std::ifstream in(path, std::ios::binary);
-  std::string head(text.size(), '\0');
-  return in.seekg(at).read(head.data(), static_cast<std::streamsize>(head.size())) &&
-         head == text;
-}
-
 /// Whether the files with this ending may be overwritten: there are none, or they
 /// belong to a run of this deck. A file that another program may have written is kept,
 /// and so are files of a finished run (with a summary) if the present files have no
@@ -47,7 +36,7 @@ bool may_overwrite(const std::string& name, const std::string& ending,
     return std::none_of(std::begin(endings), std::end(endings), [&](const char* kind) {
       return exists(name + kind + ending);  // their deck is unknown
     });
-  if (exists(listing) && !has_text(listing, 0, "BLOCKS "))
+  if (exists(listing) && !output::has_text(listing, 0, "BLOCKS "))
     return false;
   if (exists(summary + ending) && !exists(summary))
     return false;
@@ -74,7 +63,8 @@ void remove_leftovers(const std::string& name) {
       if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
         break;
       // The text at the head of a checkpoint is written last.
-      if (has_text(path, 0, "BLOCKS ") || has_text(path, 512, "\x89HDF\r\n\x1a\n"))
+      if (output::has_text(path, 0, "BLOCKS ") ||
+          output::has_text(path, 512, "\x89HDF\r\n\x1a\n"))
         std::filesystem::remove(path, ignored);
     }
 }

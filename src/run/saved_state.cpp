@@ -111,13 +111,9 @@ std::string put_aside_unless_own(const std::string& path,
   output::expect_replaceable(path);
   if (!is_there(path) || is_own(path, identity))
     return "";
-  std::string ending = ".bak";
-  for (int number = 2; is_there(path + ending); ++number)
-    ending = fmt::format(".bak{}", number);
-  output::move_file(path, path + ending);
   return fmt::format("{} was not written by this deck: the old file is kept with the "
                      "extension {}",
-                     path, ending);
+                     path, output::set_aside(path));
 }
 
 }  // namespace blocks::run
