@@ -50,26 +50,39 @@ class RunFolder {
         return name_ + ending;
     return {};
   }
-  /// Removes the files that a run without a checkpoint has left. Others stay.
+  /// Removes what a run without a checkpoint has written. The next run keeps other
+  /// files as .bak.
   void clear() const {
-    for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".ckpt.h5.prev",
-                               ".summary.json", ".layers.json"}) {
-      const std::string path = name_ + ending;
-      output::expect_replaceable(path);
-      fs::remove(path);
+    for (const char* ending : {".out", ".vtkhdf"}) {
+      output::expect_replaceable(name_ + ending);
+      if (output::has_text(name_ + ending, 0, "BLOCKS "))
+        fs::remove(name_ + ending);
     }
+    if (read_json(summary_path()).contains("state_hash"))
+      fs::remove(summary_path());
   }
   /// Keeps the measures of the blocks at the start. A run that goes on from a
   /// checkpoint does not make them again.
   void write_layers(const Json& layers) const {
+    if (!read_json(layers_path()).contains(layers_mark))
+      output::set_aside(layers_path());
     output::replace_file(layers_path(), layers.dump() + '\n');
   }
-  Json layers() const {
-    std::ifstream in(layers_path(), std::ios::binary);
-    return in ? Json::parse(in, nullptr, false) : Json();
-  }
+  Json layers() const { return read_json(layers_path()); }
+  std::string summary_path() const { return name_ + ".summary.json"; }
 
  private:
+  /// A key that measures of blocks have.
+  static constexpr const char* layers_mark = "angles_redrawn";
+
+  /// Returns what a regular file has; null if it is missing or damaged.
+  static Json read_json(const std::string& path) {
+    if (!output::has_text(path, 0, "{"))
+      return {};
+    std::ifstream in(path, std::ios::binary);
+    const Json json = Json::parse(in, nullptr, false);
+    return json.is_object() ? json : Json();
+  }
   std::string layers_path() const { return name_ + ".layers.json"; }
 
   std::string name_;
@@ -89,9 +102,10 @@ int run_the_deck(const Plan& plan, const Variation& run, const RunFolder& files,
     } catch (const output::FileError& fault) {
       fmt::print(stderr, "blocks: warning: {}; the run begins again\n", fault.what());
     }
-    options.restart.reset();
+    options.restart.reset();  // the run keeps the files that are there as .bak
+  } else {
+    files.clear();
   }
-  files.clear();
   options.at_start = [&](const Model& model, const SharedCertificate& certificate) {
     files.write_layers(to_json(measure_layers(model, certificate)));
   };
@@ -124,7 +138,7 @@ int run(const std::string& run_folder, const Plan& plan, const Variation& run,
   const int code = run_the_deck(plan, run, files, choice);
   if (const Json layers = files.layers(); layers.is_object())
     measured["layers"] = layers;
-  if (Json safety = safety_outcome(files.name() + ".summary.json"); !safety.is_null())
+  if (Json safety = safety_outcome(files.summary_path()); !safety.is_null())
     measured["factor_of_safety"] = std::move(safety);
   return code;
 }

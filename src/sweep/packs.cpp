@@ -3,10 +3,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "output/file_tools.hpp"
 
 namespace blocks::sweep {
+namespace {
+
+/// Whether a line of a file can be a pack, such as 17-32.
+bool is_pack(const std::string& line) {
+  return line.find_first_not_of("0123456789-") == std::string::npos;
+}
+
+}  // namespace
 
 std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
                                   std::size_t size) {
@@ -20,8 +30,21 @@ std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
 }
 
 void write_packs(const std::string& path, const std::vector<std::string>& packs) {
+  output::expect_no_link(std::filesystem::path(path).parent_path().string());
   output::create_folder_of(path);
+  const std::vector<std::string> older = lines_of(path);
+  if (!std::all_of(older.begin(), older.end(), is_pack))
+    output::set_aside(path);
   output::replace_file(path, fmt::format("{}\n", fmt::join(packs, "\n")));
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  output::expect_regular(path);
+  std::ifstream in(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
 }
 
 }  // namespace blocks::sweep

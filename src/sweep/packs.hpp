@@ -13,7 +13,12 @@ namespace blocks::sweep {
 std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
                                   std::size_t size);
 
-/// Writes the packs, one per line. Throws output::FileError.
+/// Writes the packs, one per line. An older file that has other lines is kept as
+/// PATH.bak, PATH.bak2, ... Throws output::FileError, also if the folder is a link.
 void write_packs(const std::string& path, const std::vector<std::string>& packs);
+
+/// Returns the lines of a file; none if it is missing. Throws output::FileError if it
+/// is not a regular file.
+std::vector<std::string> lines_of(const std::string& path);
 
 }  // namespace blocks::sweep

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -37,15 +36,6 @@ std::string packs_path(const std::string& folder) {
 }
 std::string log_path(const std::string& folder) {
   return whole_path(folder) + "/parallel/joblog";
-}
-
-/// The lines of a file; none if it is missing.
-std::vector<std::string> lines_of(const std::string& path) {
-  std::ifstream in(path);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
 }
 
 /// The numbers of the jobs that the log has as done, from 1. Its columns are Seq, Host,
@@ -95,11 +85,12 @@ bool can_resume(const std::string& folder, const std::vector<std::size_t>& ids) 
 
 void prepare(const std::string& folder, const std::vector<std::size_t>& ids,
              std::size_t pack) {
+  output::expect_no_link(fs::path(log_path(folder)).parent_path().string());
+  for (const std::string& path : {log_path(folder), packs_path(folder)})
+    output::expect_replaceable(path);
   if (can_resume(folder, ids))
     return;
-  std::error_code absent;
-  output::expect_replaceable(log_path(folder));
-  fs::rename(log_path(folder), log_path(folder) + ".bak", absent);
+  output::set_aside(log_path(folder));
   write_packs(packs_path(folder), packs_of(ids, pack));
 }
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,30 +19,50 @@ namespace blocks::sweep {
 
 namespace {
 
-/// Throws output::FileError if the folder of a run, or that of 1000 runs, is a link.
-void expect_no_link(const std::filesystem::path& run_folder) {
-  std::error_code ignored;
-  for (const auto& folder : {run_folder.parent_path(), run_folder})
-    if (std::filesystem::is_symlink(folder, ignored))
-      throw output::FileError(
-          fmt::format("cannot write to {}: it is a link", folder.string()));
+/// Throws output::FileError unless this is a regular file that has no other name.
+/// Otherwise the log would be written into another file of the user.
+void expect_own_file(int file, const std::string& path) {
+  struct stat state {};
+  if (::fstat(file, &state) != 0)
+    output::throw_errno("write", path);
+  const char* const fault = !S_ISREG(state.st_mode) ? "it is not a regular file"
+                            : state.st_nlink > 1    ? "it is a hard link; remove it"
+                                                    : nullptr;
+  if (fault != nullptr)
+    throw output::FileError(fmt::format("cannot write {}: {}", path, fault));
+}
+
+/// Opens the log, and creates it if it is missing. Returns its descriptor.
+int open_log(const std::string& path) {
+  const int flags = O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK,
+            mode = 0666;
+  int file = ::open(path.c_str(), flags, mode);
+  if (file < 0 && errno == ENOENT) {
+    output::create_folder_of(path);
+    file = ::open(path.c_str(), flags, mode);
+  }
+  if (file < 0) {
+    const int reason = errno;
+    output::expect_replaceable(path);  // says that it is a link, a FIFO or a folder
+    errno = reason;
+    output::throw_errno("write", path);
+  }
+  return file;
 }
 
 }  // namespace
 
 RunLog::RunLog(const std::string& run_folder) : path_(run_folder + '/' + file_name) {
-  const int flags = O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK,
-            mode = 0666;
-  expect_no_link(run_folder);
-  file_ = ::open(path_.c_str(), flags, mode);
-  if (file_ < 0 && errno == ENOENT) {
-    output::create_folder_of(path_);
-    file_ = ::open(path_.c_str(), flags, mode);
+  // The folder of 1000 runs may be a link, too.
+  output::expect_no_link(std::filesystem::path(run_folder).parent_path().string());
+  output::expect_no_link(run_folder);
+  file_ = open_log(path_);
+  try {
+    expect_own_file(file_, path_);
+  } catch (...) {
+    ::close(file_);
+    throw;
   }
-  if (file_ < 0 && errno == ELOOP)
-    output::expect_replaceable(path_);  // says that it is a link
-  if (file_ < 0)
-    output::throw_errno("write", path_);
 }
 
 RunLog::~RunLog() { ::close(file_); }

@@ -2,6 +2,8 @@
 
 #include <fstream>
 
+#include "output/file_tools.hpp"
+
 namespace blocks::sweep {
 namespace {
 
@@ -15,9 +17,9 @@ Json number_or_null(const Json& object, const char* key) {
 }  // namespace
 
 Json safety_outcome(const std::string& summary_path) {
-  std::ifstream in(summary_path, std::ios::binary);
-  if (!in)
+  if (!output::has_text(summary_path, 0, "{"))
     return {};
+  std::ifstream in(summary_path, std::ios::binary);
   const Json summary = Json::parse(in, nullptr, false);
   if (!summary.is_object())
     return {};

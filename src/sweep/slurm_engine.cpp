@@ -33,11 +33,7 @@ std::string jobs_path(const std::string& folder) {
 
 /// The numbers of all jobs that were submitted.
 std::vector<std::string> jobs_of(const std::string& folder) {
-  std::ifstream in(jobs_path(folder));
-  std::vector<std::string> jobs;
-  for (std::string job; std::getline(in, job);)
-    jobs.push_back(job);
-  return jobs;
+  return lines_of(jobs_path(folder));
 }
 
 /// The path of the files of the next job, without ending: DIR/slurm/job-3.
