@@ -49,9 +49,11 @@ bool is_results(const std::string& path) {
 /// Describes a file that is neither a deck nor results, such as a listing or a binary
 /// file. Returns an empty text if the file may be a deck.
 std::string neither(const std::string& path) {
+  if (!fs::is_regular_file(path))
+    return {};  // opening a FIFO may never end
   std::string head(4096, ' ');
   std::ifstream file(path);
-  if (!fs::is_regular_file(path) || !file)
+  if (!file)
     return {};
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));

@@ -15,12 +15,22 @@
 #include "output/results.hpp"
 
 namespace blocks::run {
+namespace {
+
+/// Whether the path is a stream that the shell has opened for this program, such as
+/// standard input or <(COMMAND), which may be a pipe.
+bool is_open_stream(const std::string& path) {
+  return path == "/dev/stdin" || path.starts_with("/dev/fd/") ||
+         path.starts_with("/proc/self/fd/");
+}
+
+}  // namespace
 
 std::string read_deck(const std::string& path) {
   if (path == "-")
     return {std::istreambuf_iterator<char>(std::cin), {}};
-  if (std::filesystem::is_directory(path))
-    throw output::FileError("cannot read " + path + ": it is a folder");
+  if (!is_open_stream(path) || std::filesystem::is_directory(path))
+    output::expect_regular(path);
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw output::FileError("cannot read " + path + ": " + std::strerror(errno));

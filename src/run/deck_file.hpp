@@ -8,7 +8,9 @@
 
 namespace blocks::run {
 
-/// Reads a deck ("-": standard input). Throws output::FileError.
+/// Reads a deck ("-": standard input). Throws output::FileError, also if it is a
+/// folder, a device or a FIFO. The exception is a stream that is already open:
+/// /dev/stdin, or one in /dev/fd.
 std::string read_deck(const std::string& path);
 
 /// The output name: `given`, or the deck's stem in the current directory ("-":

@@ -14,16 +14,29 @@
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "run/run.hpp"
+#include "sweep/json_fields.hpp"
 
 namespace blocks::sweep {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::int64_t largest_code = 255;  // of a process
+constexpr std::uint64_t largest_code = 255;  // of a process
 
 std::string path_of(const std::string& run_folder) {
   return run_folder + "/outcome.json";
+}
+
+/// Returns the outcome that the file has. Throws std::runtime_error if it is damaged.
+Outcome outcome_of(Json json) {
+  Outcome outcome;
+  outcome.code = static_cast<int>(read_whole_number(json, "code", largest_code));
+  outcome.status = read_text(json, "status");
+  outcome.message = read_text(json, "message");
+  for (const char* key : {"code", "status", "message"})
+    json.erase(key);
+  outcome.measured = std::move(json);
+  return outcome;
 }
 
 }  // namespace
@@ -55,34 +68,32 @@ std::string status_of(int code) {
 bool is_final(int code) { return code != run::interrupted && code != run::file_error; }
 
 std::optional<Outcome> read_outcome(const std::string& run_folder) {
+  output::expect_regular(path_of(run_folder));
   std::ifstream in(path_of(run_folder), std::ios::binary);
   if (!in || in.peek() == std::ifstream::traits_type::eof())
     return std::nullopt;
   try {
-    Json json = Json::parse(in);
-    const auto code = json.at("code").get<std::int64_t>();
-    if (code < 0 || code > largest_code || !json.at("code").is_number_integer())
-      throw std::runtime_error("no exit code");
-    Outcome outcome{static_cast<int>(code), json.at("status"), json.at("message")};
-    for (const char* key : {"code", "status", "message"})
-      json.erase(key);
-    outcome.measured = std::move(json);
-    return outcome;
-  } catch (const std::exception&) {
-    throw output::FileError(fmt::format(
-        "{} is damaged\n  hint: remove it, and blocks sweep goes on with this run",
-        path_of(run_folder)));
+    return outcome_of(Json::parse(in, nullptr, false));
+  } catch (const std::exception& fault) {
+    throw output::FileError(
+        fmt::format("{} is damaged: {}\n  hint: remove it, and blocks sweep goes on "
+                    "with this run",
+                    path_of(run_folder), fault.what()));
   }
 }
 
 std::optional<Outcome> read_outcome_or_damage(const std::string& run_folder) {
   try {
     return read_outcome(run_folder);
-  } catch (const output::FileError&) {
+  } catch (const output::FileError& fault) {
+    // Reports must not depend on where the sweep is.
+    const std::string told = fault.what(), path = path_of(run_folder);
+    std::string reason = told.substr(0, told.find('\n'));
+    if (const auto at = reason.find(path); at != std::string::npos)
+      reason.replace(at, path.size(), "outcome.json");
     return Outcome{
         run::file_error, damaged_outcome,
-        "outcome.json is damaged; remove it, or give --retry, and blocks sweep runs "
-        "this run again"};
+        reason + "; remove it, or give --retry, and blocks sweep runs this run again"};
   }
 }
 

@@ -11,6 +11,7 @@
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "run/deck_file.hpp"
+#include "sweep/json_fields.hpp"
 
 namespace blocks::sweep {
 
@@ -33,21 +34,12 @@ Json json_of(const Variation& run, std::size_t id) {
   return json;
 }
 
-/// Returns a whole number from 0 to `most`. Throws std::runtime_error.
-std::uint64_t whole_number(const Json& json, const char* key, std::uint64_t most) {
-  const Json& value = json.at(key);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most)
-    throw std::runtime_error(fmt::format(
-        "\"{}\" is {}, not a whole number from 0 to {}", key, value.dump(), most));
-  return value.get<std::uint64_t>();
-}
-
 Variation variation_of(const Json& json, Kind kind) {
   Variation run;
   if (json.contains("seed"))
-    run.seed = whole_number(json, "seed", largest_seed);
+    run.seed = read_whole_number(json, "seed", largest_seed);
   if (json.contains("set"))
-    run.sets = json.at("set").get<std::vector<std::string>>();
+    run.sets = read_texts(json, "set");
   if (kind != Kind::study)
     for (const std::string& set : run.sets)
       if (!deck::parse_override(set))
@@ -64,12 +56,11 @@ Json json_of(const SobolDesign& design) {
 
 SobolDesign design_of(const Json& json) {
   SobolDesign design;
-  design.rows = whole_number(json, "rows", most_runs);
-  design.seed = whole_number(json, "seed", largest_seed);
-  for (const Json& one : json.at("ranges"))
-    design.ranges.push_back({one.at("field").get<std::string>(),
-                             one.at("low").get<double>(),
-                             one.at("high").get<double>()});
+  design.rows = read_whole_number(json, "rows", most_runs);
+  design.seed = read_whole_number(json, "seed", largest_seed);
+  for (const Json& one : read_list(json, "ranges"))
+    design.ranges.push_back(
+        {read_text(one, "field"), read_number(one, "low"), read_number(one, "high")});
   if (design.rows < 2 || design.ranges.empty() ||
       design.ranges.size() > most_sobol_parameters)
     throw std::runtime_error("\"sobol\" is no design");
@@ -90,29 +81,29 @@ Json head_of(const Plan& plan) {
 }
 
 Plan plan_of(const Json& head) {
-  if (head.at("blocks_sweep") != plan_form)
+  if (find_field(head, "blocks_sweep") != plan_form)
     throw std::runtime_error("another version of BLOCKS wrote it");
   Plan plan;
-  head.at("kind").get_to(plan.kind);
+  plan.kind = find_field(head, "kind").get<Kind>();
   if (Json(plan.kind) != head.at("kind"))
     throw std::runtime_error("there is no kind " + head.at("kind").dump());
-  head.at("deck").get_to(plan.deck);
-  head.at("deck_hash").get_to(plan.deck_hash);
-  head.at("version").get_to(plan.version);
-  head.at("numerics").get_to(plan.numerics);
-  head.at("name").get_to(plan.name);
+  plan.deck = read_text(head, "deck");
+  plan.deck_hash = read_text(head, "deck_hash");
+  plan.version = read_text(head, "version");
+  plan.numerics = read_text(head, "numerics");
+  plan.name = read_text(head, "name");
   // The runs write files of this name in their folders.
   if (plan.name.find('/') != std::string::npos)
     throw std::runtime_error("\"name\" is " + head.at("name").dump() +
                              ", which has a slash");
-  if (!head.at("until").is_null())
-    plan.until = head.at("until").get<double>();
+  if (!find_field(head, "until").is_null())
+    plan.until = read_number(head, "until");
   if (plan.until && !(*plan.until > 0.0 && std::isfinite(*plan.until)))
     throw std::runtime_error("\"until\" is " + head.at("until").dump());
-  plan.audit_every =
-      static_cast<long>(whole_number(head, "audit", std::numeric_limits<int>::max()));
-  head.at("variants").get_to(plan.variants);
-  head.at("axes").get_to(plan.axes);
+  plan.audit_every = static_cast<long>(
+      read_whole_number(head, "audit", std::numeric_limits<int>::max()));
+  plan.variants = read_texts(head, "variants");
+  plan.axes = read_texts(head, "axes");
   if (head.contains("sobol"))
     plan.sobol = design_of(head.at("sobol"));
   return plan;
@@ -126,17 +117,18 @@ Plan read_lines(std::istream& in) {
   const std::string end = ", \"runs\": [";
   if (!line.ends_with(end))
     throw std::runtime_error("its first line is damaged");
-  const Json head = Json::parse(line.substr(0, line.size() - end.size()) + "}");
+  const Json head =
+      Json::parse(line.substr(0, line.size() - end.size()) + "}", nullptr, false);
   Plan plan = plan_of(head);
-  const std::size_t number = whole_number(head, "number", most_runs);
+  const std::size_t number = read_whole_number(head, "number", most_runs);
   if (plan.sobol && plan.sobol->runs() != number)
     throw std::runtime_error("its Sobol design has another number of runs");
   plan.runs.reserve(number);
   while (std::getline(in, line) && line != "]}") {
     if (line.ends_with(','))
       line.pop_back();
-    const Json run = Json::parse(line);
-    if (run.at("id") != plan.runs.size() + 1)
+    const Json run = Json::parse(line, nullptr, false);
+    if (find_field(run, "id") != plan.runs.size() + 1)
       throw std::runtime_error(
           fmt::format("run {} is not in its place", plan.runs.size() + 1));
     plan.runs.push_back(variation_of(run, plan.kind));
@@ -203,6 +195,7 @@ void write_plan(const std::string& folder, const Plan& plan) {
 
 Plan read_plan(const std::string& folder) {
   const std::string path = plan_path(folder);
+  output::expect_regular(path);
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw output::FileError(fmt::format(
@@ -250,6 +243,7 @@ std::string difference(const Plan& there, const Plan& wanted) {
 }
 
 std::string hash_of_deck(const std::string& path) {
+  output::expect_regular(path);  // a worker cannot read a stream of this process
   const std::string text = run::read_deck(path);
   deck::Diagnostics ignored(path, text);
   const deck::Deck deck = deck::parse(path, text, ignored);

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "output/results.hpp"
 #include "run/run.hpp"
 #include "run/shell_word.hpp"
+#include "sweep/json_fields.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/study_outcome.hpp"
 
@@ -30,8 +33,8 @@ struct SceneFrames {
 
 study::FrameValues values_of(const Json& json, int frame) {
   const auto value = [&](const char* name) {
-    const Json& given = json.at(name);
-    return given.is_null() ? study::not_asked : given.get<double>();
+    return find_field(json, name).is_null() ? study::not_asked
+                                            : read_number(json, name);
   };
   return {frame,
           value("could_hang") > 0,
@@ -44,9 +47,9 @@ study::FrameValues values_of(const Json& json, int frame) {
           value("speed_lost"),
           value("energy_error"),
           value("diverged_step"),
-          json.value("deep", 0) > 0,
-          json.value("kind", ""),
-          json.value("why", "")};
+          json.contains("deep") && read_number(json, "deep") > 0,
+          json.contains("kind") ? read_text(json, "kind") : "",
+          json.contains("why") ? read_text(json, "why") : ""};
 }
 
 /// Returns the outcome of a run that is done, or whose scene could not be made.
@@ -72,15 +75,16 @@ void add(SceneFrames& scene, const Outcome& outcome, const Plan& plan, int frame
       scene.refused = outcome.message;
     return;
   }
-  const Json& measured = outcome.measured.at("study");
-  scene.steps = measured.at("steps");
+  const Json& measured = find_field(outcome.measured, "study");
+  scene.steps = static_cast<long>(
+      read_whole_number(measured, "steps", std::numeric_limits<int>::max()));
   for (const std::string& name : plan.variants) {
     VariantFrames& variant = scene.variants[name];
-    const Json& json = measured.at(name);
+    const Json& json = find_field(measured, name.c_str());
     if (!json.contains("refused"))
       variant.frames.push_back(values_of(json, frame));
     else if (variant.refused.empty())
-      variant.refused = json.at("refused");
+      variant.refused = read_text(json, "refused");
   }
 }
 
@@ -126,7 +130,7 @@ std::vector<study::Study> read_studies(const std::string& folder, const Plan& pl
     const Outcome outcome = finished_outcome(folder, plan, id);
     try {
       add(scenes.back(), outcome, plan, static_cast<int>(run.seed.value()));
-    } catch (const nlohmann::json::exception& fault) {
+    } catch (const std::runtime_error& fault) {
       throw output::FileError(fmt::format("cannot read the outcome of run {} of {}: {}",
                                           id, folder, fault.what()));
     }

@@ -175,7 +175,8 @@ TEST_F(Report, DamagedMissingAndForeignFilesMakeFailedRows) {
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string rows = text("runs.csv");
   EXPECT_THAT(rows, HasSubstr("\n1,.2,1,failed,,damaged outcome,\"outcome.json is "
-                              "damaged; remove it"));
+                              "damaged: it has no JSON object with \"\"code\"\"; "
+                              "remove it"));
   EXPECT_THAT(rows, HasSubstr("\n2,.2,2,failed,0,results missing,layer.vtkhdf is "
                               "missing,,"));
   EXPECT_THAT(rows, HasSubstr("\n3,.2,3,failed,0,results of another run,\"layer.vtkhdf "

@@ -93,5 +93,44 @@ TEST_F(ForeignFiles, OfTheEngineAreKept) {
     EXPECT_EQ(slurp(folder_ / (std::string("s/parallel/") + name)), "mine");
 }
 
+// A FIFO may have no writer, and a device no end.
+TEST_F(ForeignFiles, ThatMayNotEndAreRefused) {
+  plan_sweep();
+  const std::string plan = slurp(folder_ / "s/sweep.json");
+  make_fifo("fifo");
+  for (const std::string& deck : {(folder_ / "fifo").string(), std::string("/dev/zero"),
+                                  std::string("/dev/fd/0")}) {
+    std::string forged = plan;
+    const std::string before = (folder_ / "a.deck").string();
+    ASSERT_NE(forged.find(before), std::string::npos);
+    folder_.write("s/sweep.json",
+                  forged.replace(forged.find(before), before.size(), deck));
+    expect_code(5, "sweep s < /dev/zero", "cannot read " + deck + ": it is a ");
+  }
+  folder_.write("s/sweep.json", plan);
+  make_fifo(own_ + "outcome.json");
+  expect_code(0, "sweep status s", "outcome.json: it is a FIFO");
+  expect_code(0, "report s", "1 failed");
+  make_fifo("s/sweep.json");
+  for (const char* command : {"sweep s", "sweep status s", "report s"})
+    expect_code(5, command, "s/sweep.json: it is a FIFO, not a regular file");
+  expect_code(5, "sweep a.deck --table fifo -o t", "fifo: it is a FIFO");
+}
+
+TEST_F(ForeignFiles, ADeckIsAFileOrAnOpenStream) {
+  make_fifo("fifo");
+  for (const char* command : {"check", "run", "export", "fos", "import"}) {
+    expect_code(5, std::string(command) + " fifo", "cannot read fifo: it is a FIFO");
+    expect_code(5, std::string(command) + " /dev/zero",
+                "cannot read /dev/zero: it is a device");
+  }
+  for (const char* deck : {"- < a.deck", "/dev/stdin < a.deck", "/dev/fd/3 3< a.deck"})
+    expect_code(0, std::string("check ") + deck, "time step");
+  const std::string deck = slurp(folder_ / "a.deck");  // through a pipe
+  expect_code(
+      0, "--version > /dev/null; cat a.deck | '" BLOCKS_PROGRAM "' check /dev/stdin",
+      "time step");
+}
+
 }  // namespace
 }  // namespace blocks::testing

@@ -118,6 +118,26 @@ TEST_F(PlanTest, ForgedValuesAreRefused) {
   EXPECT_THAT(fault("FRICTN.fric=.3", "FRICTN"), HasSubstr("is not CARD.field=value"));
 }
 
+// The message names the field in plain words, not in those of the JSON reader.
+TEST_F(PlanTest, ADamagedFieldIsNamed) {
+  write_plan(folder_, some_plan());
+  const std::string whole = text();
+  const auto fault = [&](const std::string& before, const std::string& after) {
+    std::string forged = whole;
+    write_text(forged.replace(forged.find(before), before.size(), after));
+    return fault_of_reading();
+  };
+  EXPECT_THAT(fault("\"name\":\"tunnel\"", "\"name\":3"),
+              HasSubstr("\"name\" is 3, not a text"));
+  EXPECT_THAT(fault("\"axes\":", "\"axis\":"), HasSubstr("\"axes\" is missing"));
+  EXPECT_THAT(fault("\"variants\":[]", "\"variants\":[4]"),
+              HasSubstr("\"variants\" is [4], not a list of texts"));
+  EXPECT_THAT(fault("\"until\":0.1", "\"until\":\"x\""),
+              HasSubstr("\"until\" is \"x\", not a number"));
+  EXPECT_THAT(fault("\"kind\":", "kind:"),
+              HasSubstr("it has no JSON object with \"blocks_sweep\""));
+}
+
 Plan sobol_plan() {
   Plan plan = some_plan();
   plan.axes = {"FRICTN.fric"};
@@ -197,6 +217,10 @@ TEST_F(PlanTest, AnOutcomeIsReadAsItWasWritten) {
   EXPECT_FALSE(read_outcome(folder_));
   std::ofstream(folder_ + "/outcome.json") << "{";
   EXPECT_THROW(read_outcome(folder_), output::FileError);
+  std::ofstream(folder_ + "/outcome.json") << R"({"code":0,"status":3,"message":""})";
+  EXPECT_THAT(
+      read_outcome_or_damage(folder_)->message,
+      HasSubstr("outcome.json is damaged: \"status\" is 3, not a text; remove"));
 }
 
 }  // namespace

@@ -53,6 +53,22 @@ TEST_F(StudyTables, NeedEveryFrame) {
   EXPECT_THAT(frames.err, HasSubstr("a sweep has its own scenes, frames and variants"));
 }
 
+// The message names the field in plain words.
+TEST_F(StudyTables, NameTheFieldThatIsDamaged) {
+  run_well("sweep tee --study --seeds 4 --variants report -o tee -q");
+  const std::string head = R"({"code":0,"status":"done","message":"","study":)";
+  for (const auto& [study, fault] :
+       {std::pair{"1", "it has no JSON object with \"steps\""},
+        {R"({"steps":"x"})", "\"steps\" is \"x\", not a whole number"},
+        {R"({"steps":9})", "\"report\" is missing"},
+        {R"({"steps":9,"report":{"could_hang":"x"}})", "\"x\", not a number"}}) {
+    folder_.write("tee/runs/000/000001/outcome.json", head + study + "}");
+    const Outcome damaged = run("study contacts tee");
+    EXPECT_EQ(damaged.code, 5);
+    EXPECT_THAT(damaged.err, HasSubstr(fault));
+  }
+}
+
 TEST_F(StudyTables, RefuseTheSweepOfADeck) {
   folder_.write("a.deck", preliminary() + rectangle(-6, -2, 6, -1, true) + "STOP\n");
   run_well("sweep a.deck --check -o decks -q");
