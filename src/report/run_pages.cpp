@@ -20,14 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The marks of all pages begin so, and those of pages that play the run.
+const std::string any_mark = "<meta name=\"blocks-report\" content=\"",
+                  plays_mark = any_mark + "plays";
+
 /// A page has a mark with the options that it was written with, so that it is written
 /// again if they change.
 std::string mark(const std::string& content) {
-  return "<meta name=\"blocks-report\" content=\"" + escaped(content) + "\">";
+  return any_mark + escaped(content) + "\">";
 }
-
-/// The marks of pages that play the run begin so.
-const std::string plays_mark = "<meta name=\"blocks-report\" content=\"plays";
 
 std::string units_words(const Ensemble& ensemble) {
   return ensemble.units ? "units " + post::names_of(*ensemble.units) : "no units";
@@ -77,7 +78,7 @@ bool has(const std::string& head, const std::string& part) {
 /// of one with the last picture; without results it could not be written again.
 bool is_sound(const std::string& page, const Ensemble& ensemble, const RunRow& row,
               bool plays) {
-  if (!is_newer(page, ensemble.folder_of(row) + "/outcome.json"))
+  if (!exists(page) || !is_newer(page, ensemble.folder_of(row) + "/outcome.json"))
     return false;
   const std::string head = head_of(page);
   if (has(head, view_mark(ensemble)))
@@ -89,6 +90,8 @@ bool is_sound(const std::string& page, const Ensemble& ensemble, const RunRow& r
 /// Returns the file, or its last part if it is long.
 std::string end_of_log(const std::string& path) {
   constexpr std::streamoff most = 20000;
+  if (!exists(path))
+    return {};
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in)
     return {};
@@ -142,6 +145,13 @@ std::string summary_page(const Ensemble& ensemble, const RunRow& row,
   return page + "</main>\n</body>\n</html>\n";
 }
 
+/// Writes a page of a run. A file that is no such page is kept as .bak, .bak2, ...
+void replace_page(const std::string& path, const std::string& page) {
+  if (exists(path) && !has(head_of(path), any_mark))
+    output::set_aside(path);
+  output::replace_file(path, page);
+}
+
 void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& path) {
   post::ResultsReader results(ensemble.results_of(row));
   if (ensemble.units)
@@ -149,7 +159,7 @@ void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& 
   std::string page = post::view_page(post::view_data(results, 1, mirror_of(ensemble)));
   const std::string head = "<head>\n";
   page.insert(page.find(head) + head.size(), view_mark(ensemble) + '\n');
-  output::replace_file(path, page);
+  replace_page(path, page);
 }
 
 /// Returns the rows whose runs get a page that plays them.
@@ -202,7 +212,7 @@ RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
         if (plays)
           write_view(ensemble, row, page);
         else
-          output::replace_file(page, summary_page(ensemble, row, with_results[r]));
+          replace_page(page, summary_page(ensemble, row, with_results[r]));
       } catch (const output::FileError& fault) {
         pages.fault = fault.what();
       } catch (const std::runtime_error&) {

@@ -2,7 +2,9 @@
 // made, failed runs are rows, and sweeps that do not belong together are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -238,6 +240,24 @@ TEST_F(Report, FaultsSayWhatToDoNext) {
   expect("one --profile 0,0", 2, "a profile is 'top' or a line");
   sweep("layer.deck --seeds 4-5 --set FRICTN.fric=.6 -o two");
   expect("one two", 2, "both have a run of the same deck with seed 4");
+}
+
+// A page of `blocks view` may have the same name.
+TEST_F(Report, PagesOfTheUserAreKept) {
+  const std::string page = run_folder("one", 1) + "/layer.html";
+  folder_.write(page, "mine");
+  ASSERT_EQ(report("one").code, 0);
+  EXPECT_EQ(text(page + ".bak"), "mine");
+  EXPECT_THAT(text(page), HasSubstr("<meta name=\"blocks-report\""));
+  fs::last_write_time(folder_ / (run_folder("one", 1) + "/outcome.json"),
+                      fs::file_time_type::clock::now() + std::chrono::hours(1));
+  ASSERT_EQ(report("one").code, 0);
+  EXPECT_FALSE(folder_.holds(page + ".bak2")) << "its own page is replaced";
+  fs::remove(folder_ / page);
+  ASSERT_EQ(::mkfifo((folder_ / page).c_str(), 0600), 0);
+  const Outcome fifo = report("one");
+  EXPECT_EQ(fifo.code, 0);
+  EXPECT_THAT(fifo.err, HasSubstr("layer.html: it is not a regular file"));
 }
 
 }  // namespace
