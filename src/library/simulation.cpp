@@ -11,6 +11,7 @@
 #include "library/simulation_state.hpp"
 #include "model/equilibrium.hpp"
 #include "output/checkpoint.hpp"
+#include "output/file_tools.hpp"
 #include "run/deck_file.hpp"
 
 namespace blocks {
@@ -200,6 +201,9 @@ void Simulation::write_checkpoint(const std::string& path) const {
   info.version = BLOCKS_VERSION;
   info.progress.finished = true;
   info.progress.overlaps = state_->overlaps;
+  if (state_->checkpoints.insert(library::file_of(path)).second)
+    for (const std::string& older : {path, path + ".prev"})
+      output::set_aside(older);
   output::write_checkpoint(path, state_->current(), info);
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,7 @@ struct Simulation::State {
   long changes = 0;     ///< number of calls that changed the model, steps left out
   bool contacts_known = true;  ///< those of the last step
   std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by path
+  std::set<std::filesystem::path> checkpoints;  ///< that were written
 
  private:
   run::MotionWatch watch_;

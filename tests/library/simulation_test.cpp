@@ -81,6 +81,24 @@ TEST(Simulation, GivesTheBitsOfTheProgramInAnInternalOrder) {
   EXPECT_EQ(corners(restarted), expected);
 }
 
+// Two calls would otherwise move an older checkpoint to .prev, and then delete it.
+TEST(Simulation, KeepsCheckpointsThatItHasNotWritten) {
+  const TemporaryFolder folder;
+  folder.write("a.ckpt.h5", "mine");
+  folder.write("a.ckpt.h5.prev", "mine, too");
+  const auto read = [&](const char* name) { return slurp(folder / name); };
+  Simulation first(stack);
+  for (int i = 0; i < 3; ++i)
+    first.write_checkpoint(folder / "a.ckpt.h5");
+  EXPECT_EQ(read("a.ckpt.h5.bak"), "mine");
+  EXPECT_EQ(read("a.ckpt.h5.prev.bak"), "mine, too");
+  const std::string checkpoint = read("a.ckpt.h5");
+  Simulation second(stack);
+  second.write_checkpoint(folder / "a.ckpt.h5");
+  EXPECT_EQ(read("a.ckpt.h5.bak"), "mine");
+  EXPECT_EQ(read("a.ckpt.h5.bak2"), checkpoint);
+}
+
 // For every free block m dv = dt (contact forces + m g) in each step (1).
 TEST(Simulation, HasTheContactForcesThatMoveTheBlocks) {
   Simulation simulation(stack);

@@ -186,9 +186,11 @@ class Simulation {
   /// FIFO, or is in use by another Simulation of this program.
   void write_frame(const std::string& path);
 
-  /// Writes the state as a checkpoint for RESTART, here or in `blocks run`. An existing
-  /// file is kept as `path`.prev. Throws std::runtime_error if the file cannot be
-  /// written or is a folder, device or FIFO. Throws UnsoundRun if a step has thrown it.
+  /// Writes the state as a checkpoint for RESTART, here or in `blocks run`. The first
+  /// call with a path renames existing files with the names `path` and `path`.prev to
+  /// .bak, .bak2, ... Later calls keep the previous checkpoint as `path`.prev. Throws
+  /// std::runtime_error if the file cannot be written or is a folder, device or FIFO.
+  /// Throws UnsoundRun if a step has thrown it.
   void write_checkpoint(const std::string& path) const;
 
  private:
