@@ -165,7 +165,8 @@ py::dict summary_of(const SharedCertificate& certificate) {
 }  // namespace
 
 void bind_run(py::module_& module) {
-  module.def("_replace_file", &output::replace_file, py::arg("path"), py::arg("text"));
+  module.def("_replace_file", &output::replace_file_keeping_older, py::arg("path"),
+             py::arg("text"));
   module.def("_run", &run_deck, py::arg("deck"), py::arg("text"), py::arg("out"),
              py::arg("seed"), py::arg("sets"), py::arg("threads"), py::arg("until"),
              py::arg("restart"), py::arg("time_limit"), py::arg("audit"),

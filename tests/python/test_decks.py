@@ -88,6 +88,28 @@ def test_a_deck_runs_as_its_text_does(program, tmp_path):
     assert "TWO BOXES" in run.listing
 
 
+def test_write_keeps_other_files(tmp_path):
+    deck, path = two_boxes(), tmp_path / "boxes.deck"
+    precious = tmp_path / "precious"
+    precious.write_text("mine")
+    os.link(precious, path)
+    deck.write(path)
+    assert precious.read_text() == "mine" and path.read_text() == deck.text
+    backup = tmp_path / "boxes.deck.bak"
+    assert backup.read_text() == "mine"
+    deck.write(path)
+    assert backup.read_text() == "mine"  # nothing has changed
+    path.unlink()
+    path.symlink_to(precious)
+    with pytest.raises(blocks.FileError, match="it is a link"):
+        deck.write(path)
+    path.unlink()
+    os.mkfifo(path)
+    with pytest.raises(blocks.FileError, match="not a regular file"):
+        deck.write(path)
+    assert precious.read_text() == "mine"
+
+
 def test_values_replace_fields(tmp_path):
     deck = two_boxes().motion(0.1).stop()
     plain = blocks.run(deck, tmp_path / "a")
@@ -279,6 +301,9 @@ def test_assembly_as_geojson_is_that_of_export(decks, program, tmp_path):
         assembly.to_geojson(tmp_path / "own.geojson")
         assert (tmp_path / "own.geojson").read_text() == whole
     assert assembly.joint.any() and "joints" in whole
+    (tmp_path / "own.geojson").write_text("mine")
+    assembly.to_geojson(tmp_path / "own.geojson")
+    assert (tmp_path / "own.geojson.bak").read_text() == "mine"
     with pytest.raises(blocks.FileError):
         assembly.to_geojson(tmp_path / "none" / "own.geojson")
 

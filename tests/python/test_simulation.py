@@ -365,6 +365,14 @@ def test_frames_and_checkpoints(fall, tmp_path):
         sim.write_frame(tmp_path / "absent" / "sim.vtkhdf")
 
 
+def test_checkpoints_of_other_programs_are_kept(fall, tmp_path):
+    (tmp_path / "sim.ckpt.h5").write_text("mine")
+    sim = blocks.Simulation(fall)
+    for _ in range(3):
+        sim.write_checkpoint(tmp_path / "sim.ckpt.h5")
+    assert (tmp_path / "sim.ckpt.h5.bak").read_text() == "mine"
+
+
 def test_other_threads_run_meanwhile(fall):
     sim = blocks.Simulation(fall)
     sim.run_until(1.0)

@@ -83,7 +83,8 @@ class Assembly(Selectors):
     def to_geojson(self, path: str | os.PathLike | None = None) -> str | None:
         """Writes the blocks as `blocks export` does for a deck, a GeoJSON feature for each.
 
-        Blocks have the numbers of the cards, from 1. Removed blocks are left out.
+        Blocks have the numbers of the cards, from 1. Removed blocks are left out. An older file with this path
+        is kept as PATH.bak.
 
         Args:
             path: of the file; None: return the text.

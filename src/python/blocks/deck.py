@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from ._blocks import card_table
+from ._blocks import _replace_file, card_table
 from .card_methods import add_card_methods
 
 __all__ = ["Deck"]
@@ -86,9 +86,16 @@ class Deck:
         return self
 
     def write(self, path: str | os.PathLike) -> Path:
-        """Writes the deck to a file, and returns its path."""
-        path = Path(path)
-        path.write_text(self.text, encoding="utf-8")
+        """Writes the deck to a file, and returns its path.
+
+        An older file with this path is kept as PATH.bak, unless it has the same text.
+
+        Raises:
+            FileError: if the file cannot be written, or the path is a link, a folder or a device.
+        """
+        path, text = Path(path), self.text
+        if path.is_symlink() or not path.is_file() or path.read_bytes() != text.encode():
+            _replace_file(os.fspath(path), text)
         return path
 
     def check(self, **options: Any):

@@ -389,7 +389,8 @@ class Frame:
     def to_geojson(self, path: str | os.PathLike[str] | None = None) -> str | None:
         """Writes the blocks as `blocks export` does, a GeoJSON feature for each (docs/exchange.md).
 
-        Blocks have the numbers of the cards, from 1. Removed blocks are left out.
+        Blocks have the numbers of the cards, from 1. Removed blocks are left out. An older file with this path
+        is kept as PATH.bak.
 
         Args:
             path: of the file; None: return the text.

@@ -254,7 +254,14 @@ class Simulation(_blocks.Simulation, Selectors):
         super().write_frame(os.fspath(path))
 
     def write_checkpoint(self, path: str | os.PathLike) -> None:
-        """Writes the state for RESTART. An existing file is kept as `path`.prev."""
+        """Writes the state for RESTART.
+
+        The first call with a path renames existing files with the names `path` and `path`.prev to .bak, .bak2,
+        ... Later calls keep the previous checkpoint as `path`.prev.
+
+        Raises:
+            FileError: if the file cannot be written, or the path is a link, a folder or a device.
+        """
         super().write_checkpoint(os.fspath(path))
 
     @property
