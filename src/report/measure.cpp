@@ -19,13 +19,17 @@ bool read_number(const std::string& text, double& value) {
   return read.ec == std::errc() && read.ptr == end && std::isfinite(value);
 }
 
-/// Takes "<LIMIT" or ">LIMIT" from the end of the text.
+/// Takes "<LIMIT" or ">LIMIT" from the end of the text. The name of a material may have
+/// these characters.
 std::optional<Measure::Limit> take_limit(std::string& text) {
-  const auto at = text.find_first_of("<>");
+  const auto at = text.find_last_of("<>");
   if (at == std::string::npos)
     return std::nullopt;
   Measure::Limit limit{text[at] == '>', 0.0};
-  if (!read_number(text.substr(at + 1), limit.value))
+  const bool is_limit = read_number(text.substr(at + 1), limit.value);
+  if (!is_limit && text.find(":material=") < at)
+    return std::nullopt;
+  if (!is_limit)
     throw std::runtime_error(fmt::format(
         "'{}' needs a number after {}\n  hint: dy:min<-1 asks for the share "
         "of the runs in which dy:min is below -1",

@@ -225,7 +225,7 @@ void Builder::check_damping(const Command& solve) {
                          "MSCALE does not act, because the model has quiet sides",
                          "their dashpots belong to the true masses; put QUIET after "
                          "SOLVE");
-  if (settings.damping > 0.0 || is_damped_to_rest(settings))
+  if (settings.damping > 0.0 || is_damped_to_rest(settings) || unread_.has("RESTART"))
     return;
   diagnostics_.warning(solve.where, solve.name,
                        "nothing damps the motion, so the blocks may never come to rest",

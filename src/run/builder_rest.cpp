@@ -86,7 +86,7 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
 
 void Builder::check_equilibrium(const Command& fos) {
   if (balanced_ || model_.settings.in_situ || !model_.solves.empty() ||
-      unread_.has("SOLVE") || unread_.has("INSITU"))
+      unread_.has("SOLVE") || unread_.has("INSITU") || unread_.has("RESTART"))
     return;
   diagnostics_.error(fos.where, fos.name,
                      "no SOLVE or INSITU before it has balanced the forces",

@@ -42,9 +42,10 @@ Model load_to_check(Job& job) {
       throw;
     const deck::Command& command = job.deck.commands.front();
     const auto& card = std::get<deck::Restart>(command.card);
-    job.diagnostics.error(card.file.given ? card.file.where : command.where,
-                          command.name, fault.what(),
-                          "name another checkpoint with --restart FILE");
+    job.diagnostics.error(
+        card.file.given ? card.file.where : command.where, command.name, fault.what(),
+        "name a checkpoint, with or without .ckpt.h5, such as that of "
+        "a SAVE card; --restart FILE replaces the name");
     job.fault = file_error;
     job.from = {};
     job.resumes = false;

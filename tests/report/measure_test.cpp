@@ -57,6 +57,11 @@ TEST(Measure, TheKindOfTheSweepDecidesBetweenCurveAndOutcome) {
   EXPECT_EQ(parsed("profile:min").from, Measure::From::profile);
 }
 
+TEST(Measure, MayNameAMaterialWithASignOfLimits) {
+  EXPECT_FALSE(parsed("y:material=phi<30:max").limit);
+  EXPECT_EQ(parsed("y:material=phi<30:max>2").limit->value, 2.0);
+}
+
 TEST(Measure, FaultsNameWhatIsPossible) {
   EXPECT_THAT(fault("aspct"), HasSubstr("blocks, p21; with :max: aspect"));
   EXPECT_THAT(fault("y:9@late"), HasSubstr("y:9@0.5 is the value at that time"));
