@@ -139,7 +139,8 @@ TEST(RestartCard, IsReportedIfItsFileIsMissing) {
       lost.err,
       "second.deck:1:10: error: RESTART: cannot read nowhere.ckpt.h5: No such file or "
       "directory\n  RESTART, nowhere.ckpt.h5\n           ^~~~~~~~~~~~~~~\n  hint: name "
-      "another checkpoint with --restart FILE\n1 error\n");
+      "a checkpoint, with or without .ckpt.h5, such as that of a SAVE card; --restart "
+      "FILE replaces the name\n1 error\n");
   EXPECT_EQ(blocks("check second.deck", folder.path()).code, 5);
 }
 
