@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "bundled_fonts.hpp"
 #include "cards_command.hpp"
@@ -154,7 +155,21 @@ void add_run_options(CLI::App& command, RunOptions& options,
                    "print the summary as JSON instead of the table");
 }
 
-int dispatch(int argc, char** argv) {
+/// Returns the words of the command line, with -.5 as -0.5, which is no option.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  for (std::string& word : words)
+    if (word.size() > 2 && word.starts_with("-.") && word[2] >= '0' && word[2] <= '9')
+      word.insert(1, "0");
+  return words;
+}
+
+int dispatch(std::vector<std::string> words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+    pointers.push_back(word.data());
+  const int argc = static_cast<int>(pointers.size());
+  char** const argv = pointers.data();
   CLI::App app("BLOCKS computes how jointed rock moves, as polygonal blocks in two "
                "dimensions. A deck of cards describes the problem.");
   app.formatter(std::make_shared<blocks::apps::HelpPage>());
@@ -358,7 +373,7 @@ int main(int argc, char** argv) {
     return blocks::run::usage_error;
   }
   try {
-    return end_standard_output(dispatch(argc, argv));
+    return end_standard_output(dispatch(words_of(argc, argv)));
   } catch (const blocks::output::FileError& error) {
     tell("error", error.what());
     return blocks::run::file_error;

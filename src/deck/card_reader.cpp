@@ -211,6 +211,14 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
                         "convert it, for example with iconv");
       continue;
     }
+    if (std::any_of(set.value.begin(), set.value.end(), [](char c) {
+          return (c >= 0 && c < ' ' && c != '\t') || c == 127;
+        })) {
+      diagnostics.error(where, std::string(spec->name),
+                        "the value has a control character, such as a line end",
+                        "give one line of text");
+      continue;
+    }
     std::vector<Field> fields = set_fields(set.value, spec->fields[*at]);
     if (fields.size() > 1 && !spec->fields[*at].repeats) {
       diagnostics.error(where, std::string(spec->name),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,12 +32,10 @@ struct Springs {
   }
 };
 
-/// Returns the squared distance of a point from the side that begins at corner c.
-double distance_from_side(const Blocks& blocks, int c, const Vec2& point) {
+/// Returns the point nearest to `point` on the side that begins at corner c.
+Vec2 nearest_on_side(const Blocks& blocks, int c, const Vec2& point) {
   const Vec2 a = blocks.corner.col(c), along = blocks.corner.col(blocks.next[c]) - a;
-  const double part =
-      std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - a - part * along).squaredNorm();
+  return a + std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
 }
 
 /// Counts the contacts of all blocks.
@@ -72,18 +71,23 @@ class Counter {
   void add(int b, const Vec2& point, double number) {
     springs_[static_cast<std::size_t>(b)].add(point - blocks_.centroid.col(b), number);
   }
+  /// A contact is on the outline, however far from it the point is.
   void add_if_near(int b, const Vec2& point) {
-    bool near = false;
+    double least = square_;
+    std::optional<Vec2> on_side;
     for (int c = blocks_.first_corner[b]; c < blocks_.first_corner[b + 1]; ++c) {
-      if ((Vec2(blocks_.corner.col(c)) - point).squaredNorm() <= square_) {
+      const Vec2 corner = blocks_.corner.col(c);
+      if ((corner - point).squaredNorm() <= square_) {
         if (near_corner_[static_cast<std::size_t>(c)]++ < 2)
-          add(b, point, 1.0);
+          add(b, corner, 1.0);
         return;
       }
-      near = near || distance_from_side(blocks_, c, point) <= square_;
+      const Vec2 nearest = nearest_on_side(blocks_, c, point);
+      if (const double distance = (nearest - point).squaredNorm(); distance <= least)
+        least = distance, on_side = nearest;
     }
-    if (near)
-      add(b, point, 1.0);
+    if (on_side)
+      add(b, *on_side, 1.0);
   }
 
   const Blocks& blocks_;
@@ -107,7 +111,7 @@ Eigen::VectorXd packed_contacts(const Blocks& blocks, double tolerance) {
 int touching_corners(const Blocks& blocks, int a, int b, double tolerance) {
   const auto near = [&](int block, const Vec2& point) {
     for (int c = blocks.first_corner[block]; c < blocks.first_corner[block + 1]; ++c)
-      if (distance_from_side(blocks, c, point) <= tolerance * tolerance)
+      if ((nearest_on_side(blocks, c, point) - point).norm() <= tolerance)
         return true;
     return false;
   };

@@ -152,7 +152,11 @@ void TemporaryFile::take_name() {
 }
 
 void TemporaryFile::take_name_keeping_older(const std::string& aside) {
-  const std::string older = name_ + aside;
+  std::error_code ignored;
+  const bool again =
+      aside.empty() &&
+      std::filesystem::exists(std::filesystem::symlink_status(name_ + ".bak", ignored));
+  const std::string older = name_ + (!aside.empty() ? aside : again ? ".bak2" : ".bak");
   expect_replaceable(name_);
   expect_replaceable(older);
   // There may be none, or another program may set it aside at this moment.

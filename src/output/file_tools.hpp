@@ -61,8 +61,10 @@ class TemporaryFile {
   const std::string& path() const { return path_; }
   /// Renames the file to its name, replacing an existing file. Throws FileError.
   void take_name();
-  /// The same, but an existing file gets the ending `aside` first. Throws FileError.
-  void take_name_keeping_older(const std::string& aside = ".bak");
+  /// The same, but an existing file gets the ending `aside` first. By default it is
+  /// .bak, or .bak2 if there is a .bak: the oldest file, which may not be ours, stays.
+  /// Throws FileError.
+  void take_name_keeping_older(const std::string& aside = {});
 
  private:
   std::string name_, path_;

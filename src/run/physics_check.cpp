@@ -10,6 +10,7 @@
 
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_constants.hpp"
+#include "model/safe_fraction.hpp"
 
 namespace blocks::run {
 namespace {
@@ -179,6 +180,16 @@ std::vector<Doubt> doubt_modulus(const Plan& plan) {
                    load / good_share),
        place == plan.places.modulus.end() ? std::nullopt : std::optional(place->second),
        "MATERIAL"}};
+}
+
+std::vector<Doubt> doubt_step(const Plan& plan) {
+  const Settings& settings = plan.model.settings;
+  if (!chooses_fraction(settings) || settings.damping > 0.0 ||
+      settings.local_damping > 0.0)
+    return {};
+  return {{"FRACTION is blank, and nothing damps: blocks that rattle gain energy with "
+           "the largest stable step",
+           "give a FRACTION of .02 or less, or damping"}};
 }
 
 std::vector<Doubt> doubt_tiny_block(const Plan& plan) {

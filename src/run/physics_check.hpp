@@ -28,6 +28,10 @@ std::vector<Doubt> doubt_modulus(const Plan& plan);
 /// narrowest free block. Blocks of doubt_tiny_block() do not count.
 std::vector<Doubt> doubt_tolerance(const Plan& plan);
 
+/// Returns a doubt if the program chooses the time step and nothing damps. The largest
+/// stable step is too coarse for impacts without damping.
+std::vector<Doubt> doubt_step(const Plan& plan);
+
 /// Returns a doubt if the area of the smallest free block is less than a millionth of
 /// the median. Such a block is mostly a sliver of a cut, and its mass sets the time
 /// step of all.

@@ -38,6 +38,8 @@ constexpr PlausibilityRule rules[] = {
     {"tiny-block", "a free block has less than a millionth of the median area",
      "remove it with emin and amin of CUT, or MERGE", Moment::motion, true,
      doubt_tiny_block},
+    {"coarse-step", "FRACTION is blank, and there is no DAMPING or LOCDAMP",
+     "give a FRACTION of .02 or less, or damping", Moment::motion, true, doubt_step},
     {"strength-without-bond",
      "coh or ten of JOINT exceeds its residual value, and no BOND names the id",
      "add BOND, or give equal residual values", Moment::end, false, doubt_strength},

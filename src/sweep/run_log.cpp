@@ -53,8 +53,11 @@ int open_log(const std::string& path) {
 }  // namespace
 
 RunLog::RunLog(const std::string& run_folder) : path_(run_folder + '/' + file_name) {
-  // The folder of 1000 runs may be a link, too.
-  output::expect_no_link(std::filesystem::path(run_folder).parent_path().string());
+  // The folder of 1000 runs and that of all runs may be links, too.
+  const std::filesystem::path thousand =
+      std::filesystem::path(run_folder).parent_path();
+  output::expect_no_link(thousand.parent_path().string());
+  output::expect_no_link(thousand.string());
   output::expect_no_link(run_folder);
   file_ = open_log(path_);
   try {

@@ -174,9 +174,11 @@ TEST(Overrides, TakeWordsAsTheyAre) {
     EXPECT_EQ(p.only<Material>().name.value, expected);
   }
   EXPECT_THAT(parse_text(preliminary_cards + "MOTION, 1\n",
-                         {{"MOTION", "dt", ".3 $ hello"}, {"BOXES", "ctol", "\xff"}})
+                         {{"MOTION", "dt", ".3 $ hello"}, {"BOXES", "ctol", "\xff"},
+                          {"MATERIAL", "name", "a\nRIGID"}})
                   .messages,
-              AllOf(HasSubstr("dt, found '.3 $ hello'"),
+              AllOf(HasSubstr("MATERIAL: the value has a control character"),
+                    HasSubstr("dt, found '.3 $ hello'"),
                     HasSubstr("BOXES: the value is not in UTF-8")));
 }
 

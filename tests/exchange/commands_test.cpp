@@ -80,6 +80,11 @@ TEST(Import, KeepsOlderFiles) {
   EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
   EXPECT_EQ(slurp(folder / "s.mesh.txt.bak"), "mine\n");
   EXPECT_EQ(slurp(folder / "s.deck.bak"), "mine too\n");
+  // The oldest file stays, however often the program writes.
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
+  EXPECT_EQ(slurp(folder / "s.mesh.txt.bak"), "mine\n");
+  EXPECT_EQ(slurp(folder / "s.mesh.txt.bak2"), slurp(folder / "s.mesh.txt"));
 }
 
 TEST(Import, DoesNotOverwriteItsInput) {

@@ -280,6 +280,8 @@ def test_sweeps(tmp_path):
     assert "<table" in sweep._repr_html_() or "<pre" in sweep._repr_html_()
     with pytest.raises(blocks.BlocksError, match="FRICTION"):
         blocks.sweep(deck, tmp_path / "none", set={"FRICTION.fric": [1]})
+    named = blocks.sweep(deck, tmp_path / "named", set={"MATERIAL.name": ["soft rock", "a!b$c", "x,y"]})
+    assert len(named) == 3
     with pytest.raises(blocks.BlocksError, match="another deck"):
         blocks.sweep(deck.frictn(0.2), tmp_path / "many", seeds=[1])
     assert blocks.Sweep(tmp_path / "many").resume().plan == sweep.plan
@@ -301,9 +303,11 @@ def test_assembly_as_geojson_is_that_of_export(decks, program, tmp_path):
         assembly.to_geojson(tmp_path / "own.geojson")
         assert (tmp_path / "own.geojson").read_text() == whole
     assert assembly.joint.any() and "joints" in whole
+    oldest = (tmp_path / "own.geojson.bak").read_text()
     (tmp_path / "own.geojson").write_text("mine")
     assembly.to_geojson(tmp_path / "own.geojson")
-    assert (tmp_path / "own.geojson.bak").read_text() == "mine"
+    assert (tmp_path / "own.geojson.bak2").read_text() == "mine"
+    assert (tmp_path / "own.geojson.bak").read_text() == oldest
     with pytest.raises(blocks.FileError):
         assembly.to_geojson(tmp_path / "none" / "own.geojson")
 

@@ -76,6 +76,14 @@ TEST_F(ForeignFiles, TheLogIsNotALinkToAnother) {
   EXPECT_EQ(slurp(folder_ / "other"), "mine");
 }
 
+TEST_F(ForeignFiles, AreNotWrittenThroughALinkToAllRuns) {
+  plan_sweep();
+  fs::create_directories(folder_ / "elsewhere");
+  fs::remove_all(folder_ / "s/runs");
+  fs::create_directory_symlink(folder_ / "elsewhere", folder_ / "s/runs");
+  expect_code(5, "sweep s", "runs: it is a link");
+}
+
 TEST_F(ForeignFiles, OfTheEngineAreKept) {
   if (std::system("command -v parallel > /dev/null") != 0)
     GTEST_SKIP() << "GNU parallel is missing";

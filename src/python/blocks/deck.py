@@ -136,7 +136,7 @@ def _word(value: Any) -> str:
     if isinstance(value, int):
         return str(value)
     if isinstance(value, (str, os.PathLike)):
-        return _quoted(os.fspath(value))
+        return quoted(os.fspath(value))
     raise TypeError(f"a field of a card is a number, a text or None, not {value!r}")
 
 
@@ -158,7 +158,7 @@ def _needs_quotes(text: str) -> bool:
     return bool(re.search("^['\"]|[ \t\f\v\x1a\xa0,$!\n\r]", text))
 
 
-def _quoted(text: str) -> str:
+def quoted(text: str) -> str:
     """Returns a text as one field of a card."""
     if not _needs_quotes(_one_line(text)):
         return text

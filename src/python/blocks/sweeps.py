@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from .deck import quoted
 from .errors import BlocksError, FileError
 from .inputs import DeckLike, name_and_text, seed_of
 from .results import Results, read
@@ -123,6 +124,12 @@ def _number(text: str) -> Any:
     return text if text else float("nan")
 
 
+def _listed(value: Any) -> str:
+    """Returns a value as one entry of a list of --set."""
+    text = str(value)
+    return quoted(text) if "," in text and not text.startswith(("'", '"')) else text
+
+
 def sweep(deck: DeckLike, out: str | os.PathLike, *, seeds: Iterable[int] | str | None = None,
           set: Mapping[str, Any] | None = None, until: float | None = None, jobs: int | None = None,
           engine: str = "local", time_limit: float | None = None, quiet: bool = True) -> Sweep:
@@ -165,7 +172,7 @@ def sweep(deck: DeckLike, out: str | os.PathLike, *, seeds: Iterable[int] | str 
         several = [values] if is_one else list(values)
         if not several:
             raise ValueError(f"there are no values of {field}")
-        words += ["--set", f"{field}={','.join(map(str, several))}"]
+        words += ["--set", f"{field}={','.join(map(_listed, several))}"]
     for option, value in (("--until", until), ("-J", jobs), ("--time-limit", time_limit)):
         if value is not None:
             words += [option, str(value)]
