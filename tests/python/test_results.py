@@ -709,6 +709,18 @@ def test_damaged_outlines(tmp_path, files, name, damage, words):
         results[0].to_geojson()
 
 
+@pytest.mark.parametrize("name", ["Fixed", "BlockNumber", "Velocity"])
+def test_missing_arrays(tmp_path, files, name):
+    path = shutil.copy(files["stack"], tmp_path / "damaged.vtkhdf")
+    with h5py.File(path, "r+") as file:
+        file["VTKHDF/Steps/CellDataOffsets"][name].resize((0,))
+    with read(path) as results:
+        with pytest.raises(FileError, match=f"frame 0 has no {name}"):
+            results[0][name]
+        with pytest.raises(KeyError):
+            results[0]["speed of light"]
+
+
 @pytest.mark.parametrize("name", ["BLOCKS/steps", "VTKHDF/Steps/Values"])
 @pytest.mark.parametrize("damage", [lambda old: old[..., None], lambda old: old[:0], lambda old: old.astype("S8")])
 def test_damaged_times(tmp_path, files, name, damage):

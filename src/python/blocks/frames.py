@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from . import _blocks, exports, notebooks, quantities
 from .dimensions import Units, unit_text
+from .errors import FileError
 from .results_file import expected, frozen
 from .state_tables import contact_table, crack_count
 
@@ -26,6 +27,8 @@ __all__ = ["Frame"]
 
 # Columns of the cell arrays that have more than one.
 _WIDTHS = {"Centroid": 3, "Velocity": 3, "Force": 3, "Stress": 4, "AppliedStress": 4, "StrainRate": 4}
+# Cell arrays that the program writes with every frame.
+_OF_EVERY_FRAME = {*_WIDTHS, "BlockNumber", "Material", "Fixed", "Area", "Mass", "Inertia", "Angle", "Spin", "Moment"}
 _REMOVED = 3  # value of the cell array Fixed for a removed block
 
 _Floats = NDArray[np.float64]
@@ -77,6 +80,8 @@ class Frame:
         """Returns a cell array as the file has it. Raises KeyError if there is none of that name."""
         if name in self._arrays:
             return self._arrays[name]
+        if name not in self.names and name in _OF_EVERY_FRAME:
+            raise FileError(f"cannot read {self.results.path}: it is damaged (frame {self.index} has no {name})")
         if name not in self.names:
             raise KeyError(f"there is no cell array {name!r}: choose {', '.join(self.names)}")
 
