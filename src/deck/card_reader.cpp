@@ -1,5 +1,6 @@
 #include "deck/card_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -211,9 +212,8 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
                         "convert it, for example with iconv");
       continue;
     }
-    if (std::any_of(set.value.begin(), set.value.end(), [](char c) {
-          return (c >= 0 && c < ' ' && c != '\t') || c == 127;
-        })) {
+    if (first_binary_byte(set.value) ||
+        set.value.find_first_of("\r\n") != std::string::npos) {
       diagnostics.error(where, std::string(spec->name),
                         "the value has a control character, such as a line end",
                         "give one line of text");

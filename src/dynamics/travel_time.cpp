@@ -21,7 +21,8 @@ using Ways = std::vector<std::vector<std::pair<int, double>>>;
 std::map<std::pair<int, int>, double> acting_stiffness(const Model& model) {
   std::map<std::pair<int, int>, double> stiffness;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    const bool has_law = i < model.joint_states.size() && model.joint_states[i].law != 0;
+    const bool has_law =
+        i < model.joint_states.size() && model.joint_states[i].law != 0;
     stiffness[pair_of(model.blocks, model.contacts[i])] +=
         has_law ? model.joint_states[i].stiffness : model.settings.normal_stiffness;
   }
@@ -33,8 +34,8 @@ std::map<std::pair<int, int>, double> acting_stiffness(const Model& model) {
 double compliance(const Model& model, int b) {
   if (model.settings.rigid)
     return 0.0;
-  const Material& material = model.settings.materials.at(
-      model.blocks.material[static_cast<std::size_t>(b)]);
+  const Material& material =
+      model.settings.materials.at(model.blocks.material[static_cast<std::size_t>(b)]);
   return 1.0 / material.c11();
 }
 
@@ -50,10 +51,10 @@ Ways ways_of(const Model& model) {
     if (!blocks.is_free(low) || !blocks.is_free(high))
       continue;
     const auto found = acting.find({low, high});
-    const double stiffness =
-        found != acting.end() ? found->second
-                              : model.settings.normal_stiffness *
-                                    touching_corners(blocks, low, high, tolerance);
+    const double stiffness = found != acting.end()
+                                 ? found->second
+                                 : model.settings.normal_stiffness *
+                                       touching_corners(blocks, low, high, tolerance);
     if (!(stiffness > 0.0))
       continue;
     const double mass = 0.5 * (blocks.inertial_mass(low) + blocks.inertial_mass(high));
@@ -101,7 +102,8 @@ double longest_travel_time(const Model& model) {
   std::vector<char> reached(ways.size(), 0);
   double longest = 0.0;
   for (int b = 0; b < model.blocks.size(); ++b)
-    if (reached[static_cast<std::size_t>(b)] == 0 && model.blocks.is_free(b)) {
+    if (const auto at = static_cast<std::size_t>(b);
+        reached[at] == 0 && !ways[at].empty()) {
       const Farthest end = farthest_from(b, ways, reached);
       longest = std::max(longest, farthest_from(end.block, ways, reached).time);
     }

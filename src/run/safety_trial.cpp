@@ -120,8 +120,9 @@ double usual_acceleration(const Model& model) {
   return mass > 0.0 ? model.settings.gravity.norm() + force / mass : 0.0;
 }
 
-/// Gives all free blocks the same small velocity, in a direction between that of gravity
-/// and level, so that the slowest modes have most of its energy.
+/// Gives all free blocks the same small velocity, so that the slowest modes have most of
+/// its energy. Its direction is between that of gravity, or -y without gravity, and the
+/// direction across it.
 void disturb(Model& model) {
   constexpr double small = 1e-3;
   const Vec2 gravity = model.settings.gravity;
