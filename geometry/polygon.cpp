@@ -207,7 +207,8 @@ Polygon place_outline(const std::vector<DecimalPoint>& corners,
 SectionProperties section_properties(const Polygon& outline) {
   SectionProperties properties;
   double twice_area = 0.0;
-  double moment = 0.0;  // 12 times the polar second moment about the first corner
+  double polar = 0.0;  // 12 times the polar moment about the first corner
+  Eigen::Vector3d second = Eigen::Vector3d::Zero();
   Vec2 first_moment = Vec2::Zero();
   for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
     const Vec2 a = outline[i] - outline[0];
@@ -215,15 +216,30 @@ SectionProperties section_properties(const Polygon& outline) {
     const double triangle = cross(b, a);  // clockwise corners: positive
     twice_area += triangle;
     first_moment += triangle * (a + b);
-    moment += triangle * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+    polar += triangle * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+    const auto product = [&](int j, int k) {
+      return triangle *
+             (2.0 * a[j] * a[k] + 2.0 * b[j] * b[k] + a[j] * b[k] + b[j] * a[k]);
+    };
+    second += Eigen::Vector3d(product(0, 0), product(0, 1), product(1, 1)) / 24.0;
   }
   if (twice_area == 0.0)
     return properties;
   const Vec2 centre = first_moment / (3.0 * twice_area);
   properties.area = 0.5 * twice_area;
   properties.centroid = outline[0] + centre;
-  properties.second_moment = moment / 12.0 - properties.area * centre.squaredNorm();
+  properties.polar_moment = polar / 12.0 - properties.area * centre.squaredNorm();
+  const double area = properties.area;
+  properties.second_moment = second - Eigen::Vector3d(area * centre.x() * centre.x(),
+                                                      area * centre.x() * centre.y(),
+                                                      area * centre.y() * centre.y());
   return properties;
+}
+
+double smaller_moment(const Eigen::Vector3d& second_moment, double share) {
+  const double xx = second_moment[0], xy = second_moment[1], yy = second_moment[2];
+  const double mean = 0.5 * (xx + yy), spread = std::hypot(0.5 * (xx - yy), xy);
+  return std::max(mean - spread, share * mean);
 }
 
 }  // namespace blocks::geometry

@@ -43,15 +43,21 @@ Polygon reversed(const Polygon& outline);
 Polygon place_outline(const std::vector<DecimalPoint>& corners,
                       const DecimalPoint& shift, int copy);
 
-/// Area [L^2], centroid [L] and polar second moment of area about the centroid [L^4].
+/// Area [L^2], centroid [L], and second moments of area about the centroid [L^4].
 struct SectionProperties {
   double area = 0.0;
   Vec2 centroid = Vec2::Zero();
-  double second_moment = 0.0;
+  double polar_moment = 0.0;
+  Eigen::Vector3d second_moment = Eigen::Vector3d::Zero();  ///< xx, xy, yy
 };
 
 /// Computes the properties of a simple clockwise outline. It uses differences to the
 /// first corner, so it loses no digits far from the origin.
 SectionProperties section_properties(const Polygon& outline);
+
+/// Returns the smaller principal value of a second moment (xx, xy, yy), in its unit. In
+/// a very thin block it is lost in round-off. It is at least `share` of the mean of
+/// both.
+double smaller_moment(const Eigen::Vector3d& second_moment, double share);
 
 }  // namespace blocks::geometry

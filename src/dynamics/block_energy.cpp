@@ -1,7 +1,5 @@
 #include "dynamics/block_energy.hpp"
 
-#include "dynamics/time_step.hpp"
-
 namespace blocks::dynamics {
 
 BlockMotion motion_of(const Blocks& blocks, int b) {
@@ -16,11 +14,14 @@ BlockMasses masses_of(const Blocks& blocks, int b, bool rigid) {
                              : blocks.inertia[b];
   BlockMasses masses{mass, inertia, {0.0, 0.0, 0.0}};
   if (!rigid) {
-    const Vec2 l = extent(blocks, b);
-    masses.strain[0] = 0.25 * l.x() * l.x() * mass;
-    masses.strain[1] = 0.25 * l.y() * l.y() * mass;
-    // The mean mass acts on the strain rates 12 and 21.
-    masses.strain[2] = masses.strain[0] + masses.strain[1];
+    using Rows = Eigen::Matrix<double, 2, 2, Eigen::RowMajor>;
+    const Eigen::Map<const Rows> gradient(blocks.gradient.col(b).data());
+    const Eigen::Map<const Rows> moment(blocks.second_moment.col(b).data());
+    const Eigen::Matrix2d strain =
+        3.0 * mass / blocks.mass[b] * (gradient * moment * gradient.transpose());
+    masses.strain[0] = strain(0, 0);
+    masses.strain[1] = strain(1, 1);
+    masses.strain[2] = strain(0, 1);
   }
   return masses;
 }
@@ -40,8 +41,12 @@ double kinetic_energy(const BlockMasses& masses, const BlockMotion& a,
                       const BlockMotion& b) {
   double twice =
       masses.mass * a.velocity.dot(b.velocity) + masses.inertia * (a.spin * b.spin);
-  for (int i = 0; i < 3; ++i)
-    twice += masses.strain[i] * (a.rate[i] * b.rate[i]);
+  // The trace of a m b, with the tensors a, b of the rates and m of the masses.
+  const auto [a11, a22, a12] = a.rate;
+  const auto [b11, b22, b12] = b.rate;
+  const auto [m11, m22, m12] = masses.strain;
+  twice += m11 * (a11 * b11 + a12 * b12) + m22 * (a22 * b22 + a12 * b12) +
+           m12 * (a11 * b12 + a12 * b11 + a12 * b22 + a22 * b12);
   return 0.5 * twice;
 }
 

@@ -14,12 +14,13 @@ struct BlockMotion {
 /// The masses of a block that belong to the velocities of BlockMotion.
 struct BlockMasses {
   double mass, inertia;  ///< [M], [M L^2]
-  double strain[3];      ///< [M L^2] A M_jj of (11), and their sum for the shear
+  /// [M L^2] A times the components 11, 22, 12 of the effective mass of strain rates
+  double strain[3];
 };
 
 /// Returns the present motion of block b. The strain rates of a rigid block are 0.
 BlockMotion motion_of(const Blocks& blocks, int b);
-/// Returns the inertial masses of block b with its present extents. MSCALE scales them
+/// Returns the inertial masses of block b with its present shape. MSCALE scales them
 /// during SOLVE.
 BlockMasses masses_of(const Blocks& blocks, int b, bool rigid);
 /// Turns strain rates of block b back by its motion in the last step, which has turned

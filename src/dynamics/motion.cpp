@@ -17,6 +17,7 @@ BlockColumns columns_of(Blocks& blocks) {
           .area = blocks.area.data(),
           .mass = blocks.mass.data(),
           .inertia = blocks.inertia.data(),
+          .second_moment = blocks.second_moment.data(),
           .force = blocks.force.data(),
           .moment = blocks.moment.data(),
           .applied = blocks.applied.data(),

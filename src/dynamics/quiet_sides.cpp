@@ -87,17 +87,17 @@ QuietPower power_of_quiet_sides(const Model& model) {
 
 double decay_rate(const Blocks& blocks, bool rigid, int b,
                   const std::vector<QuietSide>& sides) {
-  // Motions are v1, v2, spin and the strain rates 11, 22, 12, scaled by the roots of
-  // their masses. The dashpots are a symmetric matrix on them.
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  const BlockMasses masses = masses_of(blocks, b, rigid);
-  Vector6 scale;
-  scale << masses.mass, masses.mass, masses.inertia, masses.strain[0], masses.strain[1],
-      masses.strain[2];
-  for (int i = 0; i < 6; ++i)
-    scale[i] = scale[i] > 0.0 ? 1.0 / std::sqrt(scale[i]) : 0.0;
-  Matrix6 matrix = Matrix6::Zero();
+  // Motions are v1, v2, spin and the strain rates 11, 22, 12. Masses and dashpots are
+  // symmetric matrices on them.
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+  const int n = rigid ? 3 : 6;
+  const BlockMasses of = masses_of(blocks, b, rigid);
+  Matrix masses = Matrix::Zero(n, n), dashpots = Matrix::Zero(n, n);
+  masses.diagonal().head<3>() << of.mass, of.mass, of.inertia;
+  if (!rigid) {
+    const auto [m11, m22, m12] = of.strain;
+    masses.bottomRightCorner<3, 3>() << m11, 0, m12, 0, m22, m12, m12, m12, m11 + m22;
+  }
   for (const QuietSide& quiet : sides) {
     if (quiet.block != b)
       continue;
@@ -108,14 +108,14 @@ double decay_rate(const Blocks& blocks, bool rigid, int b,
       const double x = arm.x(), y = arm.y();
       Eigen::Matrix<double, 2, 6> motion;
       motion << 1, 0, -y, x, 0, y, 0, 1, x, 0, y, x;
-      const Eigen::Matrix<double, 2, 6> scaled = motion * scale.asDiagonal();
-      const Vector6 normal = scaled.transpose() * by.p;
-      const Vector6 along = scaled.transpose() * by.a;
-      matrix += by.normal * normal * normal.transpose();
-      matrix += by.along * along * along.transpose();
+      const Eigen::VectorXd normal = motion.leftCols(n).transpose() * by.p;
+      const Eigen::VectorXd along = motion.leftCols(n).transpose() * by.a;
+      dashpots += by.normal * normal * normal.transpose();
+      dashpots += by.along * along * along.transpose();
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix6> solved(matrix, Eigen::EigenvaluesOnly);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solved(dashpots, masses,
+                                                                Eigen::EigenvaluesOnly);
   return solved.eigenvalues().maxCoeff();
 }
 

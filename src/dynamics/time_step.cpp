@@ -7,7 +7,9 @@
 #include <map>
 #include <vector>
 
+#include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/packed_contacts.hpp"
+#include "geometry/polygon.hpp"
 #include "model/safe_fraction.hpp"
 
 namespace blocks::dynamics {
@@ -107,17 +109,13 @@ Vec2 extent(const Blocks& blocks, int b) {
 }
 
 double least_width(const Blocks& blocks, int b) {
-  return least_width(
-      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b)),
-      blocks.centroid.col(b), blocks.convex[b]);
-}
-
-double least_width(const Eigen::Ref<const Eigen::Matrix2Xd>& corners,
-                   const Vec2& inside, bool convex) {
+  const auto corners =
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  const Vec2 inside = blocks.centroid.col(b);
   const int n = static_cast<int>(corners.cols());
   // The least width is at right angles to a side of the convex hull, which joins two
   // corners.
-  const int reach = convex ? 1 : n - 1;
+  const int reach = blocks.convex[b] ? 1 : n - 1;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)
     for (int k = 1; k <= reach; ++k) {
@@ -130,7 +128,14 @@ double least_width(const Eigen::Ref<const Eigen::Matrix2Xd>& corners,
   return least;
 }
 
-double least_width_of_pieces(double least_area) { return 0.5 * std::sqrt(least_area); }
+double thickness(const Eigen::Vector3d& second_moment, double mass) {
+  return std::sqrt(12.0 * geometry::smaller_moment(second_moment, least_moment_share) /
+                   mass);
+}
+
+double least_thickness_of_pieces(double least_area) {
+  return 0.5 * std::sqrt(least_area);
+}
 
 namespace {
 
@@ -159,15 +164,22 @@ double contact_step(double fraction, double mass, double stiffness) {
   return fraction * 2.0 * std::sqrt(mass / stiffness);
 }
 
-/// Returns the step that the deformability of a block allows, [T]. `width` is its least
-/// width, [L].
-double elastic_step(const Material& material, double width) {
+/// The thickness of block b at creation or, if it may split, of its thinnest piece,
+/// [L].
+double least_thickness(const Settings& settings, const Blocks& blocks, int b) {
+  const auto moment = blocks.second_moment.col(b);
+  const double whole = thickness({moment[0], moment[1], moment[3]}, blocks.mass[b]);
+  return std::min(whole, least_thickness_of_pieces(least_piece(settings, blocks, b)));
+}
+
+/// Returns the step that the deformability of a block of this thickness allows, [T].
+double elastic_step(const Material& material, double thickness) {
   const double z = material.damping;
   // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
   // where C is at most 2 C11. This factor keeps the left side below 2 M for all z; the
   // rest is for contacts.
   const double damped = std::sqrt(1.0 + z * z) - z;
-  return 0.5 * damped * width * std::sqrt(material.density / material.c11());
+  return 0.5 * damped * thickness * std::sqrt(material.density / material.c11());
 }
 
 }  // namespace
@@ -197,12 +209,11 @@ TimeStep choose_time_step(const Model& model) {
   for (int b = 0; b < blocks.size(); ++b) {
     if (!blocks.is_free(b))
       continue;
-    const double whole = least_width(blocks, b);
-    const double piece = least_width_of_pieces(least_piece(settings, blocks, b));
-    const double dt =
-        elastic_step(settings.materials.at(blocks.material[b]), std::min(whole, piece));
+    const double least = least_thickness(settings, blocks, b);
+    const double dt = elastic_step(settings.materials.at(blocks.material[b]), least);
     if (dt < best.dt)
-      best = {dt, b, blocks.size(), true, piece < whole};
+      best = {dt, b, blocks.size(), true,
+              least == least_thickness_of_pieces(least_piece(settings, blocks, b))};
   }
   return best;
 }
@@ -222,11 +233,9 @@ Eigen::VectorXd steps_of_blocks(const Model& model,
     steps[b] = contact_step(fraction, least_mass(settings, blocks, b), k);
     if (settings.rigid)
       continue;
-    const double width =
-        std::min(least_width(blocks, b),
-                 least_width_of_pieces(least_piece(settings, blocks, b)));
-    steps[b] = std::min(steps[b],
-                        elastic_step(settings.materials.at(blocks.material[b]), width));
+    steps[b] =
+        std::min(steps[b], elastic_step(settings.materials.at(blocks.material[b]),
+                                        least_thickness(settings, blocks, b)));
   }
   return steps;
 }

@@ -9,10 +9,10 @@ namespace blocks::dynamics {
 /// block that limits it. The stiffness in (4) is the largest that STIFF and the laws of
 /// joints give a contact of the block (docs/laws.md#length). Without FRACTION, the safe
 /// fraction for the damping in force is taken, and contact_shares(). In deformable runs
-/// the step is at most half the smallest l sqrt(rho / C11) over the free blocks; l is
-/// the least width in any direction. MDAMP multiplies that by sqrt(1 + z^2) - z. If the
-/// blocks of a material may split, their pieces count: masses of the least area, and
-/// least_width_of_pieces(). So no crack changes the time step.
+/// the step is at most half the smallest l sqrt(rho / C11) over the free blocks, with
+/// l = thickness(). MDAMP multiplies that by sqrt(1 + z^2) - z. If the blocks of a
+/// material may split, their pieces count: masses of the least area, and
+/// least_thickness_of_pieces(). So no crack changes the time step.
 TimeStep choose_time_step(const Model& model);
 
 /// Returns the step that each free block would allow by itself, [T] (n); 0 for other
@@ -23,20 +23,20 @@ TimeStep choose_time_step(const Model& model);
 Eigen::VectorXd steps_of_blocks(const Model& model,
                                 const Eigen::VectorXd& contact_share);
 
-/// Returns the least width of the pieces of a deformable block, half the square root of
-/// the least area, [L]. Thinner pieces are refused (docs/cracks.md#the-time-step).
-double least_width_of_pieces(double least_area);
+/// Returns the shorter side of the rectangle with the second moments (xx, xy, yy) and
+/// the mass, or the area, of a block, [L]. It is the thickness of the block in (11).
+double thickness(const Eigen::Vector3d& second_moment, double mass);
 
-/// Returns the extents of the current corners of block b along x and y, l_1 and l_2 of
-/// (11), [L].
+/// Returns the least thickness of the pieces of a deformable block, half the square
+/// root of the least area, [L]. Thinner pieces are refused
+/// (docs/cracks.md#the-time-step).
+double least_thickness_of_pieces(double least_area);
+
+/// Returns the extents of the current corners of block b along x and y, [L].
 Vec2 extent(const Blocks& blocks, int b);
 
 /// Returns the least distance of two parallel lines that have all current corners of
 /// block b between them, [L].
 double least_width(const Blocks& blocks, int b);
-/// The same for any outline, (2, n). Rounding is least if `inside` is a point in its
-/// middle.
-double least_width(const Eigen::Ref<const Eigen::Matrix2Xd>& corners,
-                   const Vec2& inside, bool convex);
 
 }  // namespace blocks::dynamics

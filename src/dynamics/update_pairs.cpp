@@ -109,7 +109,8 @@ void move_columns(const Blocks& blocks) {
   move(blocks.arm, blocks.corner, blocks.centroid, blocks.velocity, blocks.force);
   move(blocks.area, blocks.mass, blocks.inertia, blocks.angle, blocks.spin,
        blocks.moment);
-  move(blocks.gradient, blocks.applied, blocks.stress, blocks.strain_rate);
+  move(blocks.second_moment, blocks.gradient, blocks.applied, blocks.stress,
+       blocks.strain_rate);
 }
 
 /// Returns whether the arrays were made for the present number of blocks.

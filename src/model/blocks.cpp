@@ -46,7 +46,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     grow_vector(*vector);
   for (Eigen::Matrix2Xd* column : {&centroid, &velocity, &force})
     grow(*column);
-  for (Eigen::Matrix4Xd* column : {&gradient, &applied, &stress, &strain_rate})
+  for (Eigen::Matrix4Xd* column :
+       {&second_moment, &gradient, &applied, &stress, &strain_rate})
     grow(*column);
   gradient.rightCols(new_blocks - old_blocks).colwise() =
       Eigen::Vector4d(1.0, 0.0, 0.0, 1.0);
@@ -59,7 +60,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
       throw std::invalid_argument("a block needs a positive area and density");
     area[b] = section.area;
     mass[b] = block.density * section.area;
-    inertia[b] = block.density * section.second_moment;
+    inertia[b] = block.density * section.polar_moment;
+    second_moment.col(b) = tensor_of(block.density * section.second_moment);
     centroid.col(b) = section.centroid;
     material.push_back(block.material);
     fixity.push_back(block.fixity);

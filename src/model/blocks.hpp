@@ -22,6 +22,11 @@ enum class Fixity : int {
   driven = 4,  ///< it moves at a given velocity, whatever the forces (DRIVE)
 };
 
+/// Returns a symmetric tensor with the components 11, 12, 22 as rows 11, 12, 21, 22.
+inline Eigen::Vector4d tensor_of(const Eigen::Vector3d& symmetric) {
+  return {symmetric[0], symmetric[1], symmetric[1], symmetric[2]};
+}
+
 /// A block to be created from a simple clockwise outline.
 struct NewBlock {
   geometry::Polygon outline;  ///< [L] clockwise
@@ -60,6 +65,9 @@ struct Blocks {
   Eigen::VectorXd area;     ///< [L^2] (n) at creation
   Eigen::VectorXd mass;     ///< [M] (n) > 0
   Eigen::VectorXd inertia;  ///< [M L^2] (n) about the centroid, RMOI
+  /// [M L^2] (4, n) second moment of mass about the centroid at creation, the sum of
+  /// mass times arm arm^T
+  Eigen::Matrix4Xd second_moment;
   /// (n) inertial mass over mass during SOLVE with MSCALE, 1 for blocks that are not
   /// free; otherwise empty. Weights never have it.
   Eigen::VectorXd scale;

@@ -139,10 +139,10 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
   of_corners(&Blocks::corner_block, &Blocks::next, &Blocks::previous, &Blocks::joint,
              &Blocks::arm, &Blocks::corner);
   of_blocks(&Blocks::material, &Blocks::fixity, &Blocks::convex, &Blocks::layer,
-            &Blocks::area, &Blocks::mass, &Blocks::inertia, &Blocks::centroid,
-            &Blocks::gradient, &Blocks::velocity, &Blocks::angle, &Blocks::spin,
-            &Blocks::force, &Blocks::moment, &Blocks::applied, &Blocks::stress,
-            &Blocks::strain_rate);
+            &Blocks::area, &Blocks::mass, &Blocks::inertia, &Blocks::second_moment,
+            &Blocks::centroid, &Blocks::gradient, &Blocks::velocity, &Blocks::angle,
+            &Blocks::spin, &Blocks::force, &Blocks::moment, &Blocks::applied,
+            &Blocks::stress, &Blocks::strain_rate);
   if (from.has_scaled_masses())
     of_blocks(&Blocks::scale);
   else

@@ -57,6 +57,7 @@ void put_piece(Blocks& blocks, int b, const Piece& piece, double part_of_mass) {
   blocks.area[b] = piece.shape.area;
   blocks.mass[b] = piece.mass;
   blocks.inertia[b] = piece.inertia;
+  blocks.second_moment.col(b) = piece.second_moment;
   blocks.centroid.col(b) = piece.centroid;
   blocks.velocity.col(b) = piece.velocity;
   blocks.spin[b] = piece.spin;
@@ -78,7 +79,8 @@ void grow(Blocks& blocks, const std::vector<BlockSplit>& splits) {
   for (Eigen::Matrix2Xd* column : {&blocks.centroid, &blocks.velocity, &blocks.force})
     column->conservativeResize(2, now);
   for (Eigen::Matrix4Xd* column :
-       {&blocks.gradient, &blocks.applied, &blocks.stress, &blocks.strain_rate})
+       {&blocks.second_moment, &blocks.gradient, &blocks.applied, &blocks.stress,
+        &blocks.strain_rate})
     column->conservativeResize(4, now);
   const bool scaled = blocks.has_scaled_masses();
   if (scaled)

@@ -14,11 +14,12 @@ namespace blocks {
 /// One of the two pieces of a block.
 struct Piece {
   geometry::SplitPiece shape;
-  double mass = 0.0;                      ///< [M]
-  double inertia = 0.0;                   ///< [M L^2] about its centroid
-  Vec2 centroid = {0, 0};                 ///< [L]
-  Vec2 velocity = {0, 0};                 ///< [L/T]
-  double spin = 0.0;                      ///< rad/T
+  double mass = 0.0;                             ///< [M]
+  double inertia = 0.0;                          ///< [M L^2] about its centroid
+  Eigen::Vector4d second_moment = {0, 0, 0, 0};  ///< [M L^2] about its centroid
+  Vec2 centroid = {0, 0};                        ///< [L]
+  Vec2 velocity = {0, 0};                        ///< [L/T]
+  double spin = 0.0;                             ///< rad/T
   Eigen::Vector4d stress = {0, 0, 0, 0};  ///< [F/L^2] internal, rows 11, 12, 21, 22
 };
 

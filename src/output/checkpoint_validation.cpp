@@ -147,8 +147,14 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
   for (const auto& [name, column] : {std::pair{"blocks/gradient", &b.gradient},
                                      {"blocks/applied", &b.applied},
                                      {"blocks/stress", &b.stress},
-                                     {"blocks/strain_rate", &b.strain_rate}})
+                                     {"blocks/strain_rate", &b.strain_rate},
+                                     {"blocks/second_moment", &b.second_moment}})
     expect_all(name, *column, n, finite);
+  for (int k = 0; k < b.size(); ++k)
+    if (const auto moment = b.second_moment.col(k);
+        !(moment[0] > 0.0 && moment[3] > 0.0 && moment[1] == moment[2]))
+      reject_checkpoint(fmt::format(
+          "blocks/second_moment: that of block {} belongs to no body", k + 1));
   for (int c = 0; c < b.corners(); ++c) {
     const auto gradient = b.gradient.col(b.corner_block[c]);
     const Vec2 made = b.arm.col(c);

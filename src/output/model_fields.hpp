@@ -128,8 +128,9 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
 
 template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   auto& [first_corner, corner_block, next, previous, joint, arm, corner, material,
-         fixity, convex, cuts, layer, area, mass, inertia, scale, centroid, velocity,
-         gradient, angle, spin, force, moment, applied, stress, strain_rate] = blocks;
+         fixity, convex, cuts, layer, area, mass, inertia, second_moment, scale,
+         centroid, velocity, gradient, angle, spin, force, moment, applied, stress,
+         strain_rate] = blocks;
   ar("blocks/first_corner", first_corner);
   ar("blocks/corner_block", corner_block);
   ar("blocks/next", next);
@@ -145,6 +146,7 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   ar("blocks/area", area);
   ar("blocks/mass", mass);
   ar("blocks/inertia", inertia);
+  ar("blocks/second_moment", second_moment);
   ar("blocks/scale", scale);
   ar("blocks/centroid", centroid);
   ar("blocks/velocity", velocity);

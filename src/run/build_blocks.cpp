@@ -62,10 +62,10 @@ bool BlockBuilder::fits(long more, deck::SourceLocation where) {
 bool BlockBuilder::has_weight(const geometry::Polygon& clockwise,
                               deck::SourceLocation where, const std::string& what) {
   const geometry::SectionProperties section = geometry::section_properties(clockwise);
-  if (section.area > 0.0 && std::isfinite(section.area) &&
-      section.second_moment > 0.0 && std::isfinite(section.second_moment))
+  if (section.area > 0.0 && std::isfinite(section.area) && section.polar_moment > 0.0 &&
+      std::isfinite(section.polar_moment))
     return true;
-  const bool vanishing = section.area == 0.0 || section.second_moment == 0.0;
+  const bool vanishing = section.area == 0.0 || section.polar_moment == 0.0;
   error(where,
         fmt::format("{}: its area or second moment is too {} to calculate with", what,
                     vanishing ? "small" : "large"),

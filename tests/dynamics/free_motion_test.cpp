@@ -34,7 +34,7 @@ TEST(Spin, KeepsShapeAndSizeOverTenRadians) {
   EXPECT_GE(scene.model.blocks.angle[b], 10.0);
   EXPECT_NEAR(scene.model.blocks.angle[b], 50.0 * scene.model.time, 1e-11);
   EXPECT_NEAR(after.area, before.area, 1e-12);
-  EXPECT_NEAR(after.second_moment, before.second_moment, 1e-12);
+  EXPECT_NEAR(after.polar_moment, before.polar_moment, 1e-12);
 }
 
 // The Cayley rotation turns by 2 atan(h), so the corners lag behind spin x time by the

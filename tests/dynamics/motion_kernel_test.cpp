@@ -31,8 +31,51 @@ void rotate_symmetric(Eigen::Ref<Eigen::Vector4d> s, const Eigen::Matrix2d& r) {
   s << t(0, 0), shear, shear, t(1, 1);
 }
 
-double norm(double t11, double t12, double t22) {
-  return std::sqrt((t11 * t11 + t22 * t22) + 2.0 * (t12 * t12));
+/// A symmetric tensor.
+struct Symmetric {
+  double xx, xy, yy;
+};
+
+/// The tensor M of effective masses, and its determinant as the kernel takes it.
+struct StrainMass {
+  Symmetric m;
+  double trace, determinant;
+
+  StrainMass(const Blocks& blocks, int b) {
+    const auto g = blocks.gradient.col(b), j = blocks.second_moment.col(b);
+    const double factor = 3.0 / blocks.area[b];
+    const double a11 = g[0] * j[0] + g[1] * j[1], a12 = g[0] * j[1] + g[1] * j[3];
+    const double a21 = g[2] * j[0] + g[3] * j[1], a22 = g[2] * j[1] + g[3] * j[3];
+    m = {factor * (a11 * g[0] + a12 * g[1]), factor * (a11 * g[2] + a12 * g[3]),
+         factor * (a21 * g[2] + a22 * g[3])};
+    trace = m.xx + m.yy;
+    const double whole = m.xx * m.yy - m.xy * m.xy;
+    const double least = least_moment_share * (0.5 * (trace * trace));
+    determinant = whole > least ? whole : least;
+  }
+  Symmetric accelerations(const Symmetric& s) const {
+    const double t11 = m.yy * s.xx - m.xy * s.xy, t12 = m.yy * s.xy - m.xy * s.yy;
+    const double t21 = m.xx * s.xy - m.xy * s.xx, t22 = m.xx * s.yy - m.xy * s.xy;
+    const double scale = 1.0 / (trace * determinant);
+    return {scale * (determinant * s.xx + (t11 * m.yy - t12 * m.xy)),
+            scale * (determinant * s.xy + (t12 * m.xx - t11 * m.xy)),
+            scale * (determinant * s.yy + (t22 * m.xx - t21 * m.xy))};
+  }
+  Symmetric square_root() const {
+    const double root = std::sqrt(determinant);
+    const double scale = 1.0 / std::sqrt(trace + 2.0 * root);
+    return {scale * (m.xx + root), scale * m.xy, scale * (m.yy + root)};
+  }
+};
+
+Symmetric driving_stress(const Blocks& blocks, int b) {
+  const auto applied = blocks.applied.col(b), internal = blocks.stress.col(b);
+  return {applied[0] - internal[0], 0.5 * (applied[1] + applied[2]) - internal[1],
+          applied[3] - internal[3]};
+}
+
+double norm(const Symmetric& t) {
+  return std::sqrt((t.xx * t.xx + t.yy * t.yy) + 2.0 * (t.xy * t.xy));
 }
 
 /// Returns the work of local damping.
@@ -55,21 +98,17 @@ double damp_unbalanced(Blocks& blocks, int b, const Settings& settings, double d
   }
   if (settings.rigid)
     return velocity_work + spin_work;
-  const auto applied = blocks.applied.col(b), internal = blocks.stress.col(b);
   auto rate = blocks.strain_rate.col(b);
-  const double force =
-      norm(applied[0] - internal[0], 0.5 * (applied[1] + applied[2]) - internal[1],
-           applied[3] - internal[3]);
-  if (const double speed = norm(rate[0], rate[1], rate[3]); speed > 0.0) {
-    const Vec2 l = extent(blocks, b);
-    const double mass_per_area = 0.25 * blocks.mass[b] / blocks.area[b];
-    const double m11 = l.x() * l.x() * mass_per_area;
-    const double m22 = l.y() * l.y() * mass_per_area;
+  const Symmetric before = {rate[0], rate[1], rate[3]};
+  const double force = norm(driving_stress(blocks, b));
+  if (const double speed = norm(before); speed > 0.0) {
     const double scale = alpha_dt * force / speed;
-    rate[0] -= scale * rate[0] / m11;
-    rate[1] -= scale * rate[1] / (0.5 * (m11 + m22));
+    const Symmetric loss = StrainMass(blocks, b).accelerations(
+        {scale * before.xx, scale * before.xy, scale * before.yy});
+    rate[0] -= loss.xx;
+    rate[1] -= loss.xy;
     rate[2] = rate[1];
-    rate[3] -= scale * rate[3] / m22;
+    rate[3] -= loss.yy;
     strain_work = alpha_dt * blocks.area[b] * force * speed;
   }
   return velocity_work + spin_work + strain_work;
@@ -83,27 +122,28 @@ void update_velocities(Blocks& blocks, int b, const Vec2& gravity, double dt) {
 /// rates: strain rates before the step. Returns the work of MDAMP.
 double update_strain_rates(Blocks& blocks, int b, const Settings& settings,
                            const Eigen::Vector4d& rates, double dt) {
-  const Vec2 l = extent(blocks, b);
-  const double mass_per_area = 0.25 * blocks.mass[b] / blocks.area[b];
-  const double m11 = l.x() * l.x() * mass_per_area;
-  const double m22 = l.y() * l.y() * mass_per_area;
-  const auto applied = blocks.applied.col(b), internal = blocks.stress.col(b);
-  auto rate = blocks.strain_rate.col(b);
-  const double shear = 0.5 * (applied[1] + applied[2]) - internal[1];
-  double driving11 = applied[0] - internal[0], driving22 = applied[3] - internal[3];
+  const StrainMass mass(blocks, b);
+  Symmetric driving = driving_stress(blocks, b);
   double work = 0.0;
   const Material& m = settings.materials.at(blocks.material[b]);
   if (m.damping > 0.0) {
     const double factor = 2.0 * m.damping * std::sqrt(m.c11());
-    const double slows11 = factor * std::sqrt(m11) * rates[0];
-    const double slows22 = factor * std::sqrt(m22) * rates[3];
-    driving11 -= slows11, driving22 -= slows22;
-    work = dt * blocks.area[b] * (slows11 * rates[0] + slows22 * rates[3]);
+    const Symmetric root = mass.square_root();
+    const double slows11 = factor * (root.xx * rates[0] + root.xy * rates[1]);
+    const double slows12 =
+        factor *
+        (0.5 * ((root.xx + root.yy) * rates[1] + root.xy * (rates[0] + rates[3])));
+    const double slows22 = factor * (root.yy * rates[3] + root.xy * rates[1]);
+    driving = {driving.xx - slows11, driving.xy - slows12, driving.yy - slows22};
+    work = dt * blocks.area[b] *
+           ((slows11 * rates[0] + slows22 * rates[3]) + 2.0 * (slows12 * rates[1]));
   }
-  rate[0] += dt * driving11 / m11;
-  rate[1] += dt * shear / (0.5 * (m11 + m22));
+  const Symmetric more = mass.accelerations(driving);
+  auto rate = blocks.strain_rate.col(b);
+  rate[0] += dt * more.xx;
+  rate[1] += dt * more.xy;
   rate[2] = rate[1];
-  rate[3] += dt * driving22 / m22;
+  rate[3] += dt * more.yy;
   return work;
 }
 
@@ -238,6 +278,13 @@ struct Scene {
       fill(*rows, 2, count);
     for (auto* rows : {&blocks.applied, &blocks.stress, &blocks.strain_rate})
       fill(*rows, 4, count);
+    fill(blocks.second_moment, 4, count);
+    for (int b = 0; b < count; ++b) {
+      // Some have so little in one direction that rounding hides it.
+      auto moment = blocks.second_moment.col(b);
+      const double x = moment[0], y = moment[1], thin = below(4) == 0 ? 1e-9 : 1.0;
+      moment << x * x + thin * y * y + 0.125, x * y, x * y, y * y + thin * 0.125;
+    }
     blocks.centroid *= 3.0;
     fill(blocks.gradient, 4, count);
     for (int b = 0; settings.rigid && b < count; ++b) {

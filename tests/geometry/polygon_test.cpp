@@ -138,7 +138,7 @@ TEST(SectionProperties, AreExactFarFromTheOrigin) {
   const SectionProperties s = section_properties(p);
   EXPECT_DOUBLE_EQ(s.area, 6.0);
   EXPECT_EQ(s.centroid, Vec2(far + 1.5, far + 1.0));
-  EXPECT_DOUBLE_EQ(s.second_moment, 6.0 * (4.0 + 9.0) / 12.0);
+  EXPECT_DOUBLE_EQ(s.polar_moment, 6.0 * (4.0 + 9.0) / 12.0);
 }
 
 TEST(SectionProperties, OfAnLAreTheSumsOfItsParts) {
@@ -149,7 +149,7 @@ TEST(SectionProperties, OfAnLAreTheSumsOfItsParts) {
   EXPECT_DOUBLE_EQ(s.area, 3.0);
   EXPECT_NEAR(s.centroid.x(), 5.0 / 6.0, 1e-15);
   EXPECT_NEAR(s.centroid.y(), 5.0 / 6.0, 1e-15);
-  EXPECT_NEAR(s.second_moment, 0.5 + 2.0 / 9.0 + 2.0 * 5.0 / 9.0, 1e-14);
+  EXPECT_NEAR(s.polar_moment, 0.5 + 2.0 / 9.0 + 2.0 * 5.0 / 9.0, 1e-14);
 }
 
 }  // namespace

@@ -192,7 +192,7 @@ class Cracking {
     BlockSplit split = pieces_of(blocks, b, std::move(cut));
     if (!settings.rigid)
       for (const Piece& piece : split.pieces)
-        if (width_of(piece) < least_width_of_pieces(rule.least_area))
+        if (thickness_of(piece) < least_thickness_of_pieces(rule.least_area))
           return refuse(b, CrackRefusal::thin);
     split.joint = rule.joint;
     record(b, demand, split);
@@ -200,12 +200,9 @@ class Cracking {
     return true;
   }
 
-  static double width_of(const Piece& piece) {
-    const geometry::Polygon& outline = piece.shape.outline;
-    return least_width(
-        Eigen::Map<const Eigen::Matrix2Xd>(outline.front().data(), 2,
-                                           static_cast<Eigen::Index>(outline.size())),
-        piece.centroid, false);
+  static double thickness_of(const Piece& piece) {
+    const Eigen::Vector4d& moment = piece.second_moment;
+    return thickness({moment[0], moment[1], moment[3]}, piece.mass);
   }
 
   void record(int b, const CrackDemand& demand, const BlockSplit& split) {

@@ -44,7 +44,9 @@ BlockSplit pieces_of(const Blocks& blocks, int b, geometry::Split cut) {
     const geometry::SectionProperties section =
         geometry::section_properties(piece.shape.outline);
     piece.centroid = section.centroid;
-    piece.inertia = piece.mass / section.area * section.second_moment;
+    const double density = piece.mass / section.area;
+    piece.inertia = density * section.polar_moment;
+    piece.second_moment = tensor_of(density * section.second_moment);
     piece.stress = stress;
   }
   // The velocity at the centroid of the first piece; the second one takes the rest of

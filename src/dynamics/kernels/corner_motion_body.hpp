@@ -12,18 +12,17 @@ template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) 
   return corners + 2 * static_cast<std::ptrdiff_t>(c);
 }
 
-/// Returns whether the pack is full and all its blocks have four corners (and, if
-/// `and_free`, are free). Their corners then fill eight registers, in the order of the
-/// blocks.
+/// Returns whether the pack is full and all its blocks are free and have four corners.
+/// Their corners then fill eight registers, in the order of the blocks.
 template <class Lanes>
-BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes lanes,
-                                     bool and_free) {
+BLOCKS_INLINE bool all_have_four_corners(const BlockColumns& blocks, int b,
+                                         Lanes lanes) {
   if (lanes.count < width)
     return false;
   const int* const first = blocks.first_corner + b;
   const Ints unlike =
       load_ints(first + 1, AllLanes{}) - load_ints(first, AllLanes{}) - 4;
-  return !any(and_free ? unlike | load_ints(blocks.fixity + b, AllLanes{}) : unlike);
+  return !any(unlike | load_ints(blocks.fixity + b, AllLanes{}));
 }
 
 /// Calls work(count, c) for the corners of a block, `count` of them from corner c on.
@@ -41,56 +40,6 @@ BLOCKS_INLINE void each_piece(int first, int last, const Work& work) {
   if constexpr (width > 2)
     if (c < last)
       work(std::integral_constant<int, 1>(), c);
-}
-
-/// Reduces x and y of several corners to those of one. `choose` combines two of them.
-template <int corners, class Choose>
-BLOCKS_INLINE Numbers<2> one_of(Numbers<2 * corners> x, const Choose& choose) {
-  if constexpr (corners == 1)
-    return x;
-  else if constexpr (corners == 2)
-    return choose(__builtin_shufflevector(x, x, 0, 1),
-                  __builtin_shufflevector(x, x, 2, 3));
-  else
-    return one_of<2>(choose(__builtin_shufflevector(x, x, 0, 1, 2, 3),
-                            __builtin_shufflevector(x, x, 4, 5, 6, 7)),
-                     choose);
-}
-/// Reduces the four numbers of each block to one.
-template <class Choose>
-BLOCKS_INLINE Pack one_of_four(const Rows<4>& of, const Choose& choose) {
-  return choose(choose(of[0], of[1]), choose(of[2], of[3]));
-}
-
-/// Returns the extents along both axes of the blocks of a pack, which begins with block
-/// b, [L].
-template <class Lanes>
-BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
-  if (four_corners_each(blocks, b, lanes, false)) {
-    const Columns<8> corners = load_columns<8>(
-        at_corner(blocks.corner, blocks.first_corner[b]), 0, AllLanes{});
-    Columns<4> of_x, of_y;
-    for (int i = 0; i < 4; ++i) {
-      const Point two = rows_of(corners.part[2 * i], corners.part[2 * i + 1]);
-      of_x.part[i] = two[0], of_y.part[i] = two[1];
-    }
-    const Rows<4> x = rows_of(of_x), y = rows_of(of_y);
-    return {one_of_four(x, larger) - one_of_four(x, smaller),
-            one_of_four(y, larger) - one_of_four(y, smaller)};
-  }
-  alignas(64) double extent[2 * width] = {};
-  for (int k = 0; k < lanes.count; ++k) {
-    Numbers<2> least = Numbers<2>{} + __builtin_inf(), most = -least;
-    each_piece(
-        blocks.first_corner[b + k], blocks.first_corner[b + k + 1],
-        [&](auto corners, int c) __attribute__((always_inline)) {
-          const auto at = load<2 * corners>(at_corner(blocks.corner, c));
-          least = smaller(one_of<corners>(at, smaller), least);
-          most = larger(one_of<corners>(at, larger), most);
-        });
-    store<2>(extent + 2 * k, most - least);
-  }
-  return load_rows<2>(extent, 0, AllLanes{});
 }
 
 /// Returns y, x of each corner.
@@ -126,7 +75,7 @@ BLOCKS_INLINE void move_corners(const BlockColumns& blocks, int b, Lanes lanes,
   store<width>(motion.g21, gradient[2]), store<width>(motion.g22, gradient[3]);
   store_columns(motion.centroid, 0, AllLanes{}, centroid);
 
-  if (four_corners_each(blocks, b, lanes, true)) {
+  if (all_have_four_corners(blocks, b, lanes)) {
     const int c = blocks.first_corner[b];
     const double* const arms = at_corner(blocks.arm, c);
     double* const corners = at_corner(blocks.corner, c);

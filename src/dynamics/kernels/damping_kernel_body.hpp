@@ -9,34 +9,21 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// Returns the Frobenius norm of a symmetric tensor.
-BLOCKS_INLINE Pack norm(Pack t11, Pack t12, Pack t22) {
-  return root((t11 * t11 + t22 * t22) + 2.0 * (t12 * t12));
-}
-
-/// Damps the strain rates of a pack of blocks. m11 and m22 are the effective masses
-/// M_jj of docs/theory.md#strain-rates-and-stress. damping.alpha_dt is alpha times the
-/// time step, [T]. Returns the work of the damping, [F L].
+/// Damps the strain rates of a pack of blocks. damping.alpha_dt is alpha times the time
+/// step, [T]. Returns the work of the damping, [F L].
 template <class Lanes>
 BLOCKS_INLINE Pack damp_strain(const BlockColumns& blocks, const LocalDamping& damping,
                                Mask free, int b, Lanes lanes) {
-  const Pack area = load(blocks.area + b, lanes);
-  const Point l = extents(blocks, b, lanes);
-  const Pack mass_per_area = 0.25 * inertial_mass(blocks, b, lanes) / area;
-  const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
-  const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
   const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
-  const Tensor rate = load_rows<4>(blocks.strain_rate, b, lanes);
-  const Pack force =
-      norm(applied[0] - stress[0], 0.5 * (applied[1] + applied[2]) - stress[1],
-           applied[3] - stress[3]);
-  const Pack speed = norm(rate[0], rate[1], rate[3]);
+  const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
+  const Symmetric rate = symmetric(before);
+  const Pack force = root(driving_stress(blocks, stress, b, lanes).square());
+  const Pack speed = root(rate.square());
   const Mask moves = free & (speed > 0.0);
-  const Pack scale = damping.alpha_dt * force / speed;
-  const Pack shear = rate[1] - scale * rate[1] / (0.5 * (m11 + m22));
-  const Tensor slower = {rate[0] - scale * rate[0] / m11, shear, shear,
-                         rate[3] - scale * rate[3] / m22};
-  store_rows(blocks.strain_rate, b, lanes, select(moves, slower, rate));
+  const Symmetric loss = StrainMass(blocks, b, lanes)
+                             .accelerations(damping.alpha_dt * force / speed * rate);
+  store_rows(blocks.strain_rate, b, lanes, select(moves, tensor(rate - loss), before));
+  const Pack area = load(blocks.area + b, lanes);
   return moves ? damping.alpha_dt * area * force * speed : Pack{};
 }
 

@@ -13,7 +13,8 @@ namespace blocks::dynamics {
 struct BlockColumns {
   const int* first_corner;
   const Fixity* fixity;
-  const double *area, *mass, *inertia, *force, *moment, *applied, *arm;
+  const double *area, *mass, *inertia, *second_moment;
+  const double *force, *moment, *applied, *arm;
   const double* scale;  ///< inertial mass over mass; null: 1
   double *corner, *centroid, *gradient, *angle, *velocity, *spin;
   double *stress, *strain_rate;
@@ -41,6 +42,11 @@ struct VibrationDamping {
 struct Rectangle {
   double lower_x, lower_y, upper_x, upper_y;
 };
+
+/// The smaller principal second moment of a block counts as at least this part of the
+/// mean of both. This concerns slivers thinner than about a millionth of their length,
+/// whose smaller moment is lost in round-off.
+inline constexpr double least_moment_share = 1e-12;
 
 /// The largest number of blocks in one call of move().
 inline constexpr int max_at_once = 64;

@@ -179,27 +179,27 @@ Moved move_range(const BlockColumns blocks, const double* longest_arm, double* p
   return moved.all();
 }
 
-/// Damps the stresses that drive the normal strain rates of (10), [F/L^2]: D_jj -= 2 z
-/// sqrt(C11 M_jj) eps_dot_jj (docs/cracks.md#damping-of-vibration). Blocks without
-/// damping keep their bits, because 0 times a rate may be -0 or NaN.
+/// Returns D less the damping of vibration, with S the root of the effective masses:
+/// D -= z sqrt(C11) (S e + e S), e: strain rates (docs/cracks.md#damping-of-vibration).
+/// Blocks without damping keep their bits, because 0 times a rate may be -0 or NaN.
 template <class Lanes>
-BLOCKS_INLINE void damp_vibration(const BlockColumns& blocks,
-                                  const VibrationDamping& damping, Mask free, int first,
-                                  int b, Lanes lanes, double kick, Pack m11, Pack m22,
-                                  Pack& driving11, Pack& driving22) {
+BLOCKS_INLINE Symmetric damp_vibration(const BlockColumns& blocks,
+                                       const VibrationDamping& damping, Mask free,
+                                       int first, int b, Lanes lanes, double kick,
+                                       const StrainMass& mass,
+                                       const Symmetric& driving) {
   const Pack factor = load(damping.factor + (b - first), lanes);
   const Mask damps = free & (factor > 0.0);
-  const Tensor rate = load_rows<4>(damping.rates, b - first, lanes);
-  const Pack slows11 = factor * root(m11) * rate[0];
-  const Pack slows22 = factor * root(m22) * rate[3];
-  driving11 = damps ? driving11 - slows11 : driving11;
-  driving22 = damps ? driving22 - slows22 : driving22;
-  if (damping.work == nullptr)
-    return;
-  const Pack work =
-      kick * load(blocks.area + b, lanes) * (slows11 * rate[0] + slows22 * rate[3]);
-  const Pack before = load(damping.work + b, lanes);
-  store(damping.work + b, lanes, damps ? before + work : before);
+  const Symmetric rate = symmetric(load_rows<4>(damping.rates, b - first, lanes));
+  const Symmetric slows = factor * symmetric_product(mass.square_root(), rate);
+  if (damping.work != nullptr) {
+    const Pack work = kick * load(blocks.area + b, lanes) * slows.product(rate);
+    const Pack before = load(damping.work + b, lanes);
+    store(damping.work + b, lanes, damps ? before + work : before);
+  }
+  const Symmetric damped = driving - slows;
+  return {damps ? damped.xx : driving.xx, damps ? damped.xy : driving.xy,
+          damps ? damped.yy : driving.yy};
 }
 
 /// (10), (12) for the blocks [first, last). damping is null if no block is damped.
@@ -211,29 +211,25 @@ BLOCKS_INLINE void update_range(const BlockColumns& blocks, const Moduli& moduli
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
         const Mask free = free_lanes(blocks, b, lanes);
         // (10)
-        const Point l = extents(blocks, b, lanes);
-        const Pack mass_per_area =
-            0.25 * inertial_mass(blocks, b, lanes) / load(blocks.area + b, lanes);
-        const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
-        const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
+        const StrainMass mass(blocks, b, lanes);
         const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
         const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
-        Pack driving11 = applied[0] - stress[0], driving22 = applied[3] - stress[3];
+        Symmetric driving = driving_stress(blocks, stress, b, lanes);
         if constexpr (damped)
-          damp_vibration(blocks, *damping, free, first, b, lanes, kick, m11, m22,
-                         driving11, driving22);
-        const Pack shear = 0.5 * (applied[1] + applied[2]) - stress[1];
-        const Pack rate12 = before[1] + kick * shear / (0.5 * (m11 + m22));
-        const Tensor rate = {before[0] + kick * driving11 / m11, rate12, rate12,
-                             before[3] + kick * driving22 / m22};
+          driving = damp_vibration(blocks, *damping, free, first, b, lanes, kick, mass,
+                                   driving);
+        const Symmetric more = mass.accelerations(driving);
+        const Tensor rate =
+            tensor({before[0] + kick * more.xx, before[1] + kick * more.xy,
+                    before[3] + kick * more.yy});
         store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
         // (12)
         const Pack c11 = load(moduli.c11 + (b - first), lanes);
         const Pack c12 = load(moduli.c12 + (b - first), lanes);
         const Pack twice_shear = load(moduli.twice_shear + (b - first), lanes);
-        const Pack s12 = stress[1] + dt * twice_shear * rate[1];
-        const Tensor after = {stress[0] + dt * (c11 * rate[0] + c12 * rate[3]), s12,
-                              s12, stress[3] + dt * (c12 * rate[0] + c11 * rate[3])};
+        const Tensor after = tensor({stress[0] + dt * (c11 * rate[0] + c12 * rate[3]),
+                                     stress[1] + dt * twice_shear * rate[1],
+                                     stress[3] + dt * (c12 * rate[0] + c11 * rate[3])});
         store_rows(blocks.stress, b, lanes, select(free, after, stress));
       });
 }

@@ -222,12 +222,7 @@ BLOCKS_INLINE Pack root(Pack x) {
     x[k] = __builtin_sqrt(x[k]);
   return x;
 }
-constexpr auto larger = [](auto a, auto b) __attribute__((always_inline)) {
-  return a > b ? a : b;
-};
-constexpr auto smaller = [](auto a, auto b) __attribute__((always_inline)) {
-  return a < b ? a : b;
-};
+BLOCKS_INLINE Pack larger(Pack a, Pack b) { return a > b ? a : b; }
 BLOCKS_INLINE bool any(Mask yes) {
   typedef signed char Marks __attribute__((vector_size(width)));
   const Marks marks = __builtin_convertvector(yes, Marks);
