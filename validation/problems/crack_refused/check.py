@@ -75,7 +75,7 @@ def check(case):
                                               shift))
             case.same(f"ten squares, shifted by {shift}: pieces, amin {amin}", expected, told(run),
                       "areas are exact")
-    for degrees, shift in cracking.QUARTERS:
+    for degrees, shift in cracking.FRAMES:
         text = turned(case.text("slender.deck"), degrees, shift)
         run = case.run("slender", text=text)
         case.same(f"slender block, turned by {degrees}: pieces", f"none; {THIN}: 1", told(run),

@@ -137,7 +137,7 @@ def check(case):
     text = case.text("rectangle.deck")
     for degrees, shift in cracking.FRAMES:
         rectangle(case, "rigid", text, degrees, shift)
-    for degrees, shift in cracking.QUARTERS:
+    for degrees, shift in cracking.FRAMES:
         run = rectangle(case, "deformable", deformable(text), degrees, shift)
         if degrees == 0:
             shown = run

@@ -2,10 +2,8 @@
 
 import numpy as np
 
-# Degrees and shift of the frames for answers that do not depend on the angle.
+# Degrees and shift of frames.
 FRAMES = ((0, (0.0, 0.0)), (30, (100.0, 200.0)), (-100, (-50.0, 7.0)))
-# Frames that exchange the extents of blocks along x and y, or keep them.
-QUARTERS = ((0, (0.0, 0.0)), (90, (100.0, 200.0)), (180, (-50.0, 7.0)))
 
 
 def off(angle, expected):
@@ -17,11 +15,6 @@ def area(corners):
     """Area of an outline, positive clockwise [L^2]."""
     x, y = (corners - corners[0]).T
     return 0.5 * (np.dot(np.roll(x, -1), y) - np.dot(x, np.roll(y, -1)))
-
-
-def square_length(degrees):
-    """Extent along x and y of a square of side 1 in a frame turned by this angle."""
-    return abs(np.cos(np.radians(degrees))) + abs(np.sin(np.radians(degrees)))
 
 
 def reached(case, where, run, cracks=1):
