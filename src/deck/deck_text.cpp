@@ -35,31 +35,39 @@ std::string_view wide_encoding(std::string_view text) {
   return text[1] == '\0' ? "UTF-16LE" : "UTF-16BE";
 }
 
-/// Whether a line ends with a sequence number in columns 73 to 80: letters and digits,
-/// the last of them a digit.
-bool has_sequence_number(const std::string& line) {
+/// Returns the sequence number at the end of a line, in columns 73 to 80: letters and
+/// digits, the last of them a digit. Without such a number, returns -1.
+long sequence_number(const std::string& line) {
   constexpr std::size_t first = 72, end = 80;
   if (line.size() <= first || line.size() > end ||
       !std::isdigit(static_cast<unsigned char>(line.back()))) {
-    return false;
+    return -1;
   }
   const std::string tag = line.substr(line.find_first_not_of(' ', first));
-  return std::all_of(tag.begin(), tag.end(),
-                     [](unsigned char c) { return std::isalnum(c) != 0; });
+  if (!std::all_of(tag.begin(), tag.end(),
+                   [](unsigned char c) { return std::isalnum(c) != 0; })) {
+    return -1;
+  }
+  const std::size_t letter = tag.find_last_not_of("0123456789");
+  return std::stol(tag.substr(letter + 1));  // npos + 1 is 0
 }
 
-/// Whether most lines have sequence numbers, as decks of punched cards do. Lines that
-/// were added by hand have none.
+/// Whether most lines have sequence numbers that rise, as decks of punched cards do.
+/// Lines that were added by hand have none. Long coordinates may end in the same
+/// columns, but they do not rise from line to line.
 bool has_sequence_numbers(const std::vector<std::string>& lines) {
   constexpr long fewest_lines = 3;
-  long numbered = 0, others = 0;
+  long rising = 0, falling = 0, others = 0, last = -1;
   for (std::string line : lines) {
     line.erase(line.find_last_not_of(" \t\x1a") + 1);
-    if (!line.empty()) {
-      ++(has_sequence_number(line) ? numbered : others);
+    if (line.empty()) {
+      continue;
     }
+    const long number = sequence_number(line);
+    ++(number < 0 ? others : number > last ? rising : falling);
+    last = std::max(last, number);
   }
-  return numbered >= fewest_lines && numbered > others;
+  return rising >= fewest_lines && rising > others + 10 * falling;
 }
 
 }  // namespace

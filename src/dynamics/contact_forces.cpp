@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dynamics/contacts/contact_list.hpp"
+#include "dynamics/face_ends.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "geometry/contact_predicates.hpp"
 
@@ -90,8 +91,10 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
     thread.extremes.include(kernels().test_and_compute_forces(
         batches, state, law, settings.rigid, begin, end));
     for (int batch = begin; batch < end; ++batch) {
-      if (batches.marks[batch].in_doubt) {
+      if (batches.marks[batch].unsettled) {
         settle_doubts(blocks, batches, batch);
+        if (batches.pairs[batch].has_laws)
+          share_ends(blocks, arrays, batch);
         thread.extremes.include(act(batch));
       }
       if (batches.marks[batch].ends)

@@ -20,14 +20,16 @@ struct Spring {
   }
 };
 
-/// Returns two springs as one. Forces and stiffnesses are added. The stiffness becomes
-/// no larger than `limit`, unless `own` has more, and the force not so large that
-/// energy would be created.
-Spring joined(const Spring& own, const Spring& other, double limit) {
+/// Returns the spring `own` after it has received a part of `other`. Forces and the
+/// stiffness `more` are added. The stiffness becomes no larger than `limit`, unless
+/// `own` has more, and the force not so large that energy would be created.
+Spring joined(const Spring& own, const Spring& other, double cosine, double more,
+              double limit) {
   const double stiffness =
-      std::min(own.stiffness + other.stiffness, std::max(limit, own.stiffness));
-  const double most = std::sqrt(2.0 * stiffness * (own.energy() + other.energy()));
-  return {std::clamp(own.force + other.force, -most, most), stiffness};
+      std::min(own.stiffness + more, std::max(limit, own.stiffness));
+  const double energy = own.energy() + cosine * cosine * other.energy();
+  const double most = std::sqrt(2.0 * stiffness * energy);
+  return {std::clamp(own.force + cosine * other.force, -most, most), stiffness};
 }
 
 /// Chooses the contact that can take most of one released spring.
@@ -45,44 +47,12 @@ class Choice {
         adds_(has_stiffness_ || is_held_) {}
 
   Successor best() {
-    // A held spring keeps its direction if any contact can take it so.
-    if (is_held_)
-      find_beside();
-    if (is_held_ && best_.slot < 0)
-      find(geometry::successor_cosine);
-    if (best_.slot < 0)
-      find(0.0);
+    // Springs per length of a face keep to it, or to a face that continues it.
+    find(adds_ ? geometry::successor_cosine : 0.0);
     return best_;
   }
 
  private:
-  /// Finds the contact at the same end of the face, which may not act yet. Its corner
-  /// is the end of the edge that the released corner has left. Other released contacts
-  /// have opened.
-  void find_beside() {
-    // A corner that has just left counts as such in spite of rounding.
-    constexpr double most_of = 1.0 - 0x1p-20;
-    if (is_between(released_.at, most_of * geometry::contact_slack))
-      return;
-    const auto [corner, edge] = released_.at;
-    const CornerOnEdge before{edge, blocks_.previous[corner]},
-        after{blocks_.next[edge], corner};
-    const int own = arrays_.lane_of_pair[released_.pair];
-    if (own >= 0)
-      each_row(own, [&](int row, const ContactRow& contacts, int k) {
-        const CornerOnEdge place{contacts.corner[k], contacts.edge[k]};
-        if ((place == before || place == after) &&
-            is_between(place, geometry::contact_slack))
-          consider(row, own, geometry::successor_cosine);
-      });
-  }
-  /// Returns whether the foot of a corner is between the ends of an edge. slack: part
-  /// of the length of the edge.
-  bool is_between(const CornerOnEdge& place, double slack) const {
-    const Vec2 start = at(place.edge), side = at(blocks_.next[place.edge]) - start;
-    const double part = (at(place.corner) - start).dot(side) / side.squaredNorm();
-    return part >= -slack && part <= 1.0 + slack;
-  }
   /// Finds the best candidate. The cosine of the angle between the edge of the released
   /// contact and that of another contact of the same corner must be above `least`.
   void find(double least) {
@@ -137,13 +107,19 @@ class Choice {
       return has_stiffness_ ? half * per_length[static_cast<std::size_t>(law)]
                             : 2.0 * usual;
     };
-    const Spring normal =
-        joined({springs.normal_elastic[lane], joints.stiffness[lane]},
-               {cosine * released_.normal, released_.stiffness},
-               limit(laws.normal_stiffness, settings_.normal_stiffness));
+    // An end of a face that has opened has no stiffness to pass on.
+    const bool opened = !(depth(released_.at) + released_.offset > 0.0);
+    const auto more = [&](double stiffness) {
+      return opened ? 0.0 : cosine * cosine * stiffness;
+    };
+    const Spring normal = joined(
+        {springs.normal_elastic[lane], joints.stiffness[lane]},
+        {released_.normal, released_.stiffness}, cosine, more(released_.stiffness),
+        limit(laws.normal_stiffness, settings_.normal_stiffness));
     const Spring shear =
         joined({springs.shear_elastic[lane], joints.shear_stiffness[lane]},
-               {cosine * released_.shear, released_.shear_stiffness},
+               {released_.shear, released_.shear_stiffness}, cosine,
+               more(released_.shear_stiffness),
                limit(laws.shear_stiffness, settings_.shear_stiffness));
     const CornerOnEdge place{batches.contacts[row].corner[lane], edge};
     const double offset = is_held_

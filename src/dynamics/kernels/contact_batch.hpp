@@ -24,8 +24,10 @@ struct alignas(64) BatchPairs {
 };
 /// What a step has found in a batch.
 struct BatchMarks {
-  bool ends;      ///< a contact has ceased to act
-  bool in_doubt;  ///< the kernel could not decide a sign
+  bool ends;  ///< a contact has ceased to act
+  /// The forces are not known yet: the kernel could not decide a sign or, if contacts
+  /// may have laws of joints, some have begun or ceased to act.
+  bool unsettled;
   bool receives;  ///< a contact has received a released spring
   bool breaks;    ///< a contact is bonded no longer
 };

@@ -108,11 +108,12 @@ Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
       most.include(part.overlap, part.spring);
     }
     if constexpr (find) {
-      LaneBits ends = 0, in_doubt = 0;
+      LaneBits ends = 0;
       for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s)
-        ends |= batches.states[s].ends, in_doubt |= batches.states[s].in_doubt;
-      batches.marks[batch] = {ends != 0, in_doubt != 0, false, false};
-      if (in_doubt != 0)
+        ends |= batches.states[s].ends;
+      const bool open = is_unsettled(batches, pairs, 0, lane_count);
+      batches.marks[batch] = {ends != 0, open, false, false};
+      if (open)
         continue;
     }
     if (pairs.has_laws)

@@ -56,12 +56,18 @@ BLOCKS_INLINE Shares shares_of_ends(const BatchArrays& batches, const BatchPairs
   return shares;
 }
 
-/// Returns L, the part of the faces that each contact of row s stands for, [L]. The
-/// side before the corner and the side after it form a face with the edge if they run
-/// in the opposite direction and overlap it in projection.
-BLOCKS_INLINE Pack length_of(const BatchArrays& batches, const BatchPairs& pairs, int s,
-                             const Sides& sides, Pack per_length,
-                             const BlockState& blocks, int i) {
+/// The part of the faces that each contact of a row stands for.
+struct FaceLength {
+  Pack length;  ///< L, [L]
+  Pack alone;   ///< [L] L if no other contact acts at the same ends
+};
+
+/// Returns the lengths of row s. The side before the corner and the side after it form
+/// a face with the edge if they run in the opposite direction and overlap it in
+/// projection.
+BLOCKS_INLINE FaceLength length_of(const BatchArrays& batches, const BatchPairs& pairs,
+                                   int s, const Sides& sides, Pack per_length,
+                                   const BlockState& blocks, int i) {
   constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const FaceRow& faces = batches.faces[s];
   const Point before = gather_point<2>(blocks.corner, faces.before + i);
@@ -87,7 +93,7 @@ BLOCKS_INLINE Pack length_of(const BatchArrays& batches, const BatchPairs& pairs
   const Pack length_after = length(to, to_x, to_y, at - to, at);
   const Shares shares = shares_of_ends(batches, pairs, faces, i);
   const Pack both = length_before * shares.before + length_after * shares.after;
-  return 0.5 * both * per_length;
+  return {0.5 * both * per_length, 0.5 * (length_before + length_after) * per_length};
 }
 
 /// Returns the values of a column for the laws of a row. only: the law of all lanes;
@@ -141,6 +147,14 @@ BLOCKS_INLINE Pack stiffness_of(Pack old, Pack per_length, Pack length, double u
   const Pack fresh = wanted > 0.0 ? wanted : all_of(usual);
   const Pack kept = old > 0.0 ? old : fresh;
   return wanted > kept ? wanted : kept;
+}
+
+/// Returns by how much the dashpot of a contact is weaker because another contact acts
+/// at the same end. Its constant goes with the root of its stiffness, so two halves of
+/// an end would have stronger dashpots than the whole.
+BLOCKS_INLINE Pack dashpot_share(Pack per_area, const FaceLength& face) {
+  const Pack shared = root(face.length / face.alone);
+  return (per_area > 0.0) & (face.alone > 0.0) ? shared : all_of(1.0);
 }
 
 /// Applies one kind of law. may_start: false if motion.starting is known to be 0.
@@ -224,20 +238,22 @@ act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
   const Bits starts = load(row.starts, i);
   const Point v = two.velocity(at.x - two.low_x, at.y - two.low_y);
   ContactState<Pack> state = load_state(batches, s, i);
-  state.length = length_of(batches, pairs, s, sides, at.per_length, blocks, i);
+  const FaceLength face = length_of(batches, pairs, s, sides, at.per_length, blocks, i);
+  state.length = face.length;
   const int* const law = batches.faces[s].law + i;
 
   const LawColumns& laws = batches.laws;
-  state.stiffness = stiffness_of(state.stiffness,
-                                 law_value(laws.normal_stiffness, law, pairs.only_law),
-                                 state.length, usual.normal_stiffness);
+  const Pack per_area = law_value(laws.normal_stiffness, law, pairs.only_law);
+  state.stiffness =
+      stiffness_of(state.stiffness, per_area, state.length, usual.normal_stiffness);
   state.shear_stiffness = stiffness_of(
       state.shear_stiffness, law_value(laws.shear_stiffness, law, pairs.only_law),
       state.length, usual.shear_stiffness);
 
   const ContactMotion<Pack> motion = {
       -(v[0] * -at.ty + v[1] * at.tx), v[0] * at.tx + v[1] * at.ty, at.overlap,
-      damping * root(state.stiffness / usual.normal_stiffness),
+      damping * dashpot_share(per_area, face) *
+          root(state.stiffness / usual.normal_stiffness),
       where(choice_of(starts), all_of(1.0))};
   const LawValues<Pack> values = values_of(laws, law, pairs.only_law);
   ContactForce<Pack> force = {};
@@ -269,8 +285,23 @@ act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
                               sums);
 }
 
+/// Returns whether contacts in some lanes, `count` of them from lane i on, have yet to
+/// be settled (BatchMarks::unsettled).
+inline bool is_unsettled(const BatchArrays& batches, const BatchPairs& pairs, int i,
+                         int count) {
+  unsigned open = 0;
+  for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s) {
+    const ContactStates& states = batches.states[s];
+    open |= states.in_doubt;
+    if (pairs.has_laws)
+      open |= states.starts | states.ends;
+  }
+  return (open >> i & ((1U << count) - 1)) != 0;
+}
+
 /// The same as act_batch for batches with laws of joints. The length of a contact
-/// depends on which other contacts act, so these are found first.
+/// depends on which other contacts act, so these are found first. If contacts have yet
+/// to be settled, no forces are computed.
 template <LawBits kind, bool find, bool rigid, bool readings>
 Most act_joint_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
                      const ContactLaw& usual, int i) {
@@ -285,6 +316,9 @@ Most act_joint_batch(const BatchArrays& batches, int batch, const BlockState& bl
     if (k < kept)
       all[k] = sides;
   }
+  if constexpr (find)
+    if (is_unsettled(batches, pairs, i, width))
+      return {};
   const Pairs<rigid> two(pairs, blocks, i);
   const Pack damping = load(pairs.damping, i);
   Sums<readings || !rigid> sums;

@@ -1,0 +1,144 @@
+#include "dynamics/face_ends.hpp"
+
+#include "geometry/contact_constants.hpp"
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// The two contacts at one end of a face.
+class FaceEnd {
+ public:
+  FaceEnd(const Blocks& blocks, ContactArrays& arrays, int first, int second)
+      : blocks_(blocks), arrays_(arrays),
+        batches_(arrays.batches), ends_{Contact(*this, first), Contact(*this, second)} {
+  }
+
+  void share() {
+    auto& [a, b] = ends_;
+    if ((!a.acted && !b.acted) || !may_share())
+      return;
+    pass_on_held(a, b), pass_on_held(b, a);
+    if ((!a.acts && !b.acts) || (a.acts == a.acted && b.acts == b.acted))
+      return;
+    copy_state(a, b), copy_state(b, a);
+    const double part = a.acts && b.acts ? 0.5 : 1.0;
+    for (const auto of : {&SpringRow::normal_elastic, &SpringRow::shear_elastic})
+      spread(of, part);
+    for (const auto of : {&JointRow::stiffness, &JointRow::shear_stiffness})
+      spread(of, part);
+    for (const Contact& contact : ends_) {
+      batches_.set(contact.slot, &ContactStates::acts, contact.acts);
+      batches_.set(contact.slot, &ContactStates::starts, false);
+      batches_.set(contact.slot, &ContactStates::ends, false);
+    }
+  }
+
+ private:
+  struct Contact {
+    int slot;
+    CornerOnEdge at;
+    bool acts, acted;  ///< in this step, in the step before
+
+    Contact(const FaceEnd& of, int number)
+        : slot(number), at(of.arrays_.at(number)),
+          acts(of.batches_.is(number, &ContactStates::acts)),
+          acted(acts ? !of.batches_.is(number, &ContactStates::starts)
+                     : of.batches_.is(number, &ContactStates::ends)) {}
+  };
+
+  Vec2 at(int corner) const { return blocks_.corner.col(corner); }
+  Vec2 side(const Contact& contact) const {
+    return at(blocks_.next[contact.at.edge]) - at(contact.at.edge);
+  }
+  /// Returns the depth of the corner of a contact below its edge, [L]; negative: a gap.
+  double depth(const Contact& contact) const {
+    const Vec2 along = side(contact);
+    return geometry::cross(at(contact.at.corner) - at(contact.at.edge), along) /
+           along.norm();
+  }
+  double& offset(const Contact& contact) const {
+    return batches_.at(contact.slot, &JointRow::offset);
+  }
+
+  bool may_share() const {
+    const auto& [a, b] = ends_;
+    const int law = batches_.at(a.slot, &FaceRow::law);
+    if (law != batches_.at(b.slot, &FaceRow::law))
+      return false;
+    if (!arrays_.laws.has_stiffness(law) &&
+        !(arrays_.laws.in_situ() && (offset(a) > 0.0 || offset(b) > 0.0)))
+      return false;
+    const Vec2 one = side(a), other = side(b);
+    const double along = one.dot(other);
+    constexpr double square = geometry::face_cosine * geometry::face_cosine;
+    return along < 0.0 &&
+           along * along >= square * one.squaredNorm() * other.squaredNorm();
+  }
+  /// If `from` has left its edge although its offset would hold it, the other corner
+  /// acts in its place.
+  void pass_on_held(const Contact& from, Contact& to) const {
+    if (!from.acted || from.acts || to.acts || to.acted || !(offset(from) > 0.0) ||
+        !(depth(from) + offset(from) > 0.0))
+      return;
+    const auto [corner, edge] = to.at;
+    to.acts = geometry::between(at(corner), at(edge), at(blocks_.next[edge]));
+  }
+  /// Gives a contact that begins to act the state of the other one. Its offset is such
+  /// that both are equally deep.
+  void copy_state(const Contact& from, const Contact& to) const {
+    if (!to.acts || to.acted)
+      return;
+    each_state([&](double* value) { value[to.slot % lane_count] = 0.0; },
+               batches_.joints[to.slot / lane_count]);
+    each_state(
+        [&](double* value, const double* other) {
+          value[to.slot % lane_count] = other[from.slot % lane_count];
+        },
+        batches_.joints[to.slot / lane_count], batches_.joints[from.slot / lane_count]);
+    batches_.at(to.slot, &JointRow::stiffness) = 0.0;
+    batches_.at(to.slot, &JointRow::shear_stiffness) = 0.0;
+    if (offset(from) > 0.0)
+      offset(to) += depth(from) - depth(to);
+  }
+  /// Divides the sum of a number of both contacts among those that act.
+  template <class Row> void spread(PerLane<double> Row::*of, double part) const {
+    const auto& [a, b] = ends_;
+    const double sum = (a.acted ? batches_.at(a.slot, of) : 0.0) +
+                       (b.acted ? batches_.at(b.slot, of) : 0.0);
+    for (const Contact& contact : ends_)
+      batches_.at(contact.slot, of) = contact.acts ? part * sum : 0.0;
+  }
+
+  const Blocks& blocks_;
+  const ContactArrays& arrays_;
+  ContactBatches& batches_;
+  Contact ends_[2];
+};
+
+}  // namespace
+
+void share_ends(const Blocks& blocks, ContactArrays& arrays, int batch) {
+  ContactBatches& batches = arrays.batches;
+  const BatchPairs& pairs = batches.pairs[batch];
+  LaneBits changed = 0;
+  for (int row = 0; row < pairs.rows; ++row) {
+    const ContactStates& states = batches.states[pairs.first_row + row];
+    changed |= states.starts | states.ends;
+  }
+  for (int k = 0; k < lane_count; ++k) {
+    if ((changed >> k & 1U) == 0)
+      continue;
+    // Of the two contacts at an end, each is beside the other.
+    for (int row = 0; row < pairs.rows; ++row)
+      for (const auto beside : {&FaceRow::beside_before, &FaceRow::beside_after}) {
+        const int slot = (pairs.first_row + row) * lane_count + k;
+        const auto other = static_cast<int>(batches.at(slot, beside));
+        if (other > row)
+          FaceEnd(blocks, arrays, slot, (pairs.first_row + other) * lane_count + k)
+              .share();
+      }
+  }
+}
+
+}  // namespace blocks::dynamics
