@@ -102,7 +102,7 @@ std::vector<std::uint64_t> bits(const ContactBatches& batches, Extremes extremes
   };
   for (int batch = 0; batch < batches.batches(); ++batch) {
     found.push_back(batches.marks[batch].ends);
-    found.push_back(batches.marks[batch].in_doubt);
+    found.push_back(batches.marks[batch].unsettled);
     for (int k = 0; k < lane_count; ++k) {
       const PairForce& of = batches.forces[batch * lane_count + k];
       add(of.fx), add(of.fy), add(of.moment_low), add(of.moment_high);
