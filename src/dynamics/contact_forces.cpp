@@ -53,11 +53,8 @@ void release_springs(const ContactArrays& arrays, int batch,
     released.push_back({arrays.pair_of_lane[batch * lane_count + slot % lane_count],
                         arrays.at(slot), normal,
                         batches.at(slot, &SpringRow::shear_elastic)});
-    if (!arrays.laws.none()) {
-      released.back().stiffness = batches.at(slot, &JointRow::stiffness);
-      released.back().shear_stiffness = batches.at(slot, &JointRow::shear_stiffness);
-      released.back().offset = batches.at(slot, &JointRow::offset);
-    }
+    if (!arrays.laws.none())
+      released.back().joint = arrays.joint_at(slot);
   });
 }
 

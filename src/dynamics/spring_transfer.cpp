@@ -43,7 +43,7 @@ class Choice {
         has_stiffness_(!arrays.laws.none() &&
                        arrays.laws.has_stiffness(arrays.laws.law_of(
                            blocks, released.at.corner, released.at.edge))),
-        is_held_(arrays.laws.in_situ() && released.offset > 0.0),
+        is_held_(arrays.laws.in_situ() && released.joint.offset > 0.0),
         adds_(has_stiffness_ || is_held_) {}
 
   Successor best() {
@@ -108,18 +108,19 @@ class Choice {
                             : 2.0 * usual;
     };
     // An end of a face that has opened has no stiffness to pass on.
-    const bool opened = !(depth(released_.at) + released_.offset > 0.0);
+    const bool opened = !(depth(released_.at) + released_.joint.offset > 0.0);
     const auto more = [&](double stiffness) {
       return opened ? 0.0 : cosine * cosine * stiffness;
     };
-    const Spring normal = joined(
-        {springs.normal_elastic[lane], joints.stiffness[lane]},
-        {released_.normal, released_.stiffness}, cosine, more(released_.stiffness),
-        limit(laws.normal_stiffness, settings_.normal_stiffness));
+    const Spring normal =
+        joined({springs.normal_elastic[lane], joints.stiffness[lane]},
+               {released_.normal, released_.joint.stiffness}, cosine,
+               more(released_.joint.stiffness),
+               limit(laws.normal_stiffness, settings_.normal_stiffness));
     const Spring shear =
         joined({springs.shear_elastic[lane], joints.shear_stiffness[lane]},
-               {released_.shear, released_.shear_stiffness}, cosine,
-               more(released_.shear_stiffness),
+               {released_.shear, released_.joint.shear_stiffness}, cosine,
+               more(released_.joint.shear_stiffness),
                limit(laws.shear_stiffness, settings_.shear_stiffness));
     const CornerOnEdge place{batches.contacts[row].corner[lane], edge};
     const double offset = is_held_
@@ -190,16 +191,24 @@ class Choice {
   double gain_ = 0.0;
 };
 
-/// Stores the stiffnesses of a successor to whose springs others were added. If it
-/// begins to act in this step, it is born with the residual strength, as others are.
-void put_stiffness(ContactBatches& batches, const Successor& successor) {
-  double& stiffness = batches.at(successor.slot, &JointRow::stiffness);
-  if (stiffness == 0.0 && batches.at(successor.slot, &JointRow::bonded) == 0.0)
-    batches.at(successor.slot, &JointRow::failed) = 1.0;
-  stiffness = successor.stiffness;
-  batches.at(successor.slot, &JointRow::shear_stiffness) = successor.shear_stiffness;
+/// Stores the stiffnesses of a successor to whose springs those of `from` were added.
+/// If it begins to act in this step, it takes over the state of the law, too.
+void put_stiffness(ContactArrays& arrays, const Successor& successor,
+                   const ReleasedSpring& from) {
+  ContactBatches& batches = arrays.batches;
+  const int slot = successor.slot;
+  if (batches.at(slot, &JointRow::stiffness) == 0.0 &&
+      batches.at(slot, &JointRow::bonded) == 0.0) {
+    const int law = batches.at(slot, &FaceRow::law);
+    if (arrays.laws.id(law) == from.joint.law)
+      arrays.put_joint(slot, from.joint);
+    else
+      batches.at(slot, &JointRow::failed) = 1.0;
+  }
+  batches.at(slot, &JointRow::stiffness) = successor.stiffness;
+  batches.at(slot, &JointRow::shear_stiffness) = successor.shear_stiffness;
   if (successor.offset > 0.0)
-    batches.at(successor.slot, &JointRow::offset) = successor.offset;
+    batches.at(slot, &JointRow::offset) = successor.offset;
 }
 
 }  // namespace
@@ -238,7 +247,7 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
       continue;
     // Added springs of contacts that act already are not limited by the overlap.
     if (successor.adds())
-      put_stiffness(batches, successor);
+      put_stiffness(arrays, successor, released[i]);
     else
       batches.set(successor.slot, &ContactStates::starts, true);
     if (!batches.is(successor.slot, &ContactStates::acts)) {

@@ -313,8 +313,7 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
       next->acted = old.acted, next->normal = old.normal, next->shear = old.shear,
       next->joint = old.joint;
     else if (old.normal > 0.0)
-      changes.released.push_back({p, old.at, old.normal, old.shear, old.joint.stiffness,
-                                  old.joint.shear_stiffness, old.joint.offset});
+      changes.released.push_back({p, old.at, old.normal, old.shear, old.joint});
   }
   if (!fits) {
     changes.grown.add(p, now, !laws.none());

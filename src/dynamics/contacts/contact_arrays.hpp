@@ -78,6 +78,8 @@ struct ContactArrays {
   JointState advanced_joint_at(int slot) const {
     return joint_of(batches.advanced_joints, slot);
   }
+  /// Sets the state of the law of a slot at the start of the step.
+  void put_joint(int slot, const JointState& state);
   /// Returns whether the slot has no contact. Such a slot has equal corner and edge,
   /// which no contact has.
   bool is_vacant(int slot) const { return at(slot).corner == at(slot).edge; }
@@ -87,7 +89,6 @@ struct ContactArrays {
   void contacts_of(int p, std::vector<PairContact>& contacts) const;
   bool keep_held(std::vector<PairContact>& now,
                  const std::vector<PairContact>& before) const;
-  void put_joint(int slot, const JointState& state);
   void find_faces(const Blocks& blocks, int p);
   void fill_slot(const Blocks& blocks, int low, int slot, const PairContact& contact);
   void fill_slots(const Blocks& blocks, const PairIndex& index,

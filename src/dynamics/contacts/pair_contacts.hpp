@@ -67,10 +67,8 @@ struct ContactsOfPairs {
 struct ReleasedSpring {
   int pair;
   CornerOnEdge at;
-  double normal, shear;  ///< [F] normal > 0
-  /// [F/L] of the two springs; 0 if contacts have no JointState (LawTable::none)
-  double stiffness = 0.0, shear_stiffness = 0.0;
-  double offset = 0.0;  ///< [L] of the contact; 0 if contacts have no JointState
+  double normal, shear;   ///< [F] normal > 0
+  JointState joint = {};  ///< of the contact; empty if LawTable::none
 };
 
 /// The changes that one thread makes when it assigns contacts (ContactArrays::assign).
