@@ -101,9 +101,9 @@ def parted(case):
     for kind, elastic in (("rigid", None), ("deformable", ELASTIC)):
         run = case.run("rings_parted", text=deck(rings, stress, elastic))
         springs = inwards(rings, rings.statics(np.diag(stress), elastic))[0]
-        case.measured(f"{kind}, 16 blocks around the opening, stress of 1 MPa: closure over that on "
-                      "springs", f"{measured(rings, run)[0].mean() / springs.mean():.4f}",
-                      "blocks shift by more than 1e-6 of a side, so contacts change")
+        case.equal(f"{kind}, 16 blocks around the opening, stress of 1 MPa: closure over that on "
+                   "springs", 1, measured(rings, run)[0].mean() / springs.mean(), 1e-3,
+                   "corners part, and displacements are not small")
 
 
 def wall(run, radius, within):
