@@ -29,6 +29,7 @@ usage() {
                        seeds        random layers of many seeds
                        predicates   the contact predicates against MPFR
                        study        the scenes of contact detection
+                       frames       decks in other frames
                        reliability  damaged files, full disks, failing memory, kills
                        bits         the same bits from every compiler and thread count
                        fuzz         libFuzzer on every reader

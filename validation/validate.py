@@ -135,6 +135,12 @@ def study(arguments):
                                       "--csv"))
 
 
+def frames(arguments):
+    build("release", "blocks")
+    return run_python("robustness/frames.py", RELEASE / "src/blocks", *arguments.decks,
+                      *([] if arguments.decks else ["--report"]))
+
+
 def reliability(arguments):
     build("ci")
     return run_python("reliability/report.py", CI, RELIABILITY / "REPORT", *arguments.words,
@@ -270,6 +276,11 @@ def parser():
                   "validation/robustness/CONTACTS.csv.", (1000, "frames of each scene"))
     command.add_argument("--resume", action="store_true",
                          help="go on with an interrupted sweep of the same program")
+    command = add("frames", frames, "decks in other frames: turned, shifted, mirrored, twice as large",
+                  "Runs all shipped decks and those of the validation problems in nine frames, and "
+                  "compares the motion of their blocks. Takes a quarter of an hour. Writes "
+                  "validation/robustness/FRAMES.md.")
+    command.add_argument("decks", metavar="DECK", nargs="*", help="only these decks; writes no report")
     command = add("reliability", reliability, "files and inputs that are damaged or forged",
                   "Kills runs, fills disks, lets memory requests fail and changes files at random, "
                   "at length. Writes validation/reliability/REPORT.md.")

@@ -101,8 +101,9 @@ void count_changes(Model& model, EnergyEntry entry, const LawTable& laws,
   account.elastic = elastic;
 }
 
-/// Adds the contacts with planes. A plane has a normal spring and no friction.
-void tally_planes(const Model& model, ContactTally& tally) {
+/// Adds up the contacts with planes. A plane has a normal spring and no friction.
+ContactTally tally_planes(const Model& model) {
+  ContactTally tally;
   const double dt = model.time_step.dt;
   const PlaneContacts& contacts = model.plane_contacts;
   for (int i = 0; i < contacts.size(); ++i) {
@@ -120,6 +121,7 @@ void tally_planes(const Model& model, ContactTally& tally) {
     step.normal_energy_acting = step.normal_energy;
     tally.include(work_of(step));
   }
+  return tally;
 }
 
 /// Returns the work of pressures and forces at centroids.
@@ -188,7 +190,7 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   if (list_is_current)
     count_changes(model, EnergyEntry::removed, arrays.laws, split, workers, memory);
   ContactTally contacts = tally_contacts(model.blocks, arrays, split, workers, memory);
-  tally_planes(model, contacts);
+  contacts.include(tally_planes(model));
   account.add(EnergyEntry::dilation, contacts.dilation);
   account.add(EnergyEntry::friction, contacts.friction);
   account.add(EnergyEntry::dashpots, contacts.dashpots);

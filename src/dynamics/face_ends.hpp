@@ -1,5 +1,5 @@
 // The ends of faces: the contacts at one end share its spring
-// (docs/laws.md#springs-at-the-ends-of-faces).
+// (docs/laws.md#length).
 #pragma once
 
 #include "dynamics/contacts/contact_arrays.hpp"

@@ -51,6 +51,38 @@ Scene pressed(const Frame& frame, const JointLaw& law, double pressure, bool rig
   return scene;
 }
 
+// A joint that has failed in tension opens against its residual strength. The work goes
+// to breaking, and the error of the integration falls with the time step.
+TEST(JointEnergy, OfOpeningAgainstResidualTensionGoesToBreaking) {
+  double last = 0.0;
+  for (const double fraction : {0.05, 0.005}) {
+    Scene scene({0.7, {3, -2}});
+    scene.model.settings.fraction = fraction;
+    JointLaw law = cohesive();
+    law.tension = 2e5, law.residual_tension = 5e4;
+    use_with_account(scene, law);
+    scene.box(-3, -1, 6, 1, true);
+    const int b = scene.box(-0.5, 0, 1, 1, true);
+    const auto drive = [&](double speed) {
+      drive_block(scene.model, {b, Frame{0.7}.turn({0, speed}), 0.0});
+    };
+    drive(0.0);
+    dynamics::bond_faces(scene.model, 0, 1e-6);
+    drive(1e-3);
+    scene.run(1.0);
+    expect_closed(scene.model);
+    // The peak is lost at once, and then the residual force acts over 1 mm.
+    const double peak = (4e10 - 25e8) / (2.0 * 1e9), opening = 5e4 * (1e-3 - 2e-4);
+    EXPECT_NEAR(of(scene, EnergyEntry::breaking), peak + opening, 1e-3 * opening);
+    const double error = std::abs(of(scene, EnergyEntry::integration));
+    EXPECT_LE(error, 1e-3 * opening);
+    if (last > 0.0) {
+      EXPECT_NEAR(error, 0.1 * last, 0.05 * last);
+    }
+    last = error;
+  }
+}
+
 // The drive of a block that is held at its top shears the joint. It gives what breaking
 // and friction take.
 TEST(JointEnergy, OfShearGoesToBreakingAndFriction) {

@@ -49,7 +49,10 @@ def history(program, results, curves):
 
 def same_number(shown, exact):
     """Whether the shown number has at least six digits of the number in the file."""
-    places = max(6, len(shown.split("e")[0].lstrip("-0.").replace(".", "")))
+    digits = shown.split("e")[0].lstrip("-0.")
+    # Zeros at the end of a whole number only fill its places.
+    digits = digits.replace(".", "") if "." in digits else digits.rstrip("0")
+    places = max(6, len(digits))
     return float(shown) == float(f"{exact:.{places}g}")
 
 

@@ -37,7 +37,8 @@ template <class Number> struct ContactStep {
   Number normal_energy_before, normal_energy_acting, normal_energy;
   Number shear_energy_before, shear_energy;  ///< stored by the shear spring
   Number fails;                              ///< it loses its strength in this step
-  Number is_hysteretic;                      ///< the normal spring is Walton's
+  Number tears;          ///< it opens against its residual tensile strength
+  Number is_hysteretic;  ///< the normal spring is Walton's
 };
 
 /// Describes the step that took a contact from `before` to `after`. `before` has the
@@ -79,6 +80,7 @@ step_of(double dt, const ContactMotion<Number>& motion,
           shear_energy(before),
           shear_energy(after),
           after.failed > before.failed ? whole : none,
+          acting < 0.0 ? after.failed * after.bonded : none,
           is_hysteretic};
 }
 
@@ -101,12 +103,13 @@ work_of(const ContactStep<Number>& at) {
   const Number slid = shear * slip;
   const Number lost = at.share * (normal * at.closing) -
                       (at.normal_energy_acting - at.normal_energy_before);
-  const Number kept = at.fails > 0.0 ? none : lost;
+  const Number torn = at.fails > 0.0 ? none : at.tears > 0.0 ? lost : none;
+  const Number kept = at.fails > 0.0 ? none : at.tears > 0.0 ? none : lost;
   ContactWork<Number> work;
   work.friction = at.fails > 0.0 ? none : slid;
   work.dashpots = (at.normal_force - at.normal) * at.closing +
                   (at.shear_force - at.shear) * at.sliding;
-  work.breaking = at.fails > 0.0 ? slid + lost : none;
+  work.breaking = at.fails > 0.0 ? slid + lost : torn;
   work.hysteresis = at.is_hysteretic > 0.0 ? kept : none;
   work.dilation = at.normal_energy - at.normal_energy_acting;
   work.integration = error + (at.is_hysteretic > 0.0 ? none : kept);

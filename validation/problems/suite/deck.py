@@ -6,8 +6,8 @@ import re
 
 def polygon(corners, fixed=False, material=1):
     """Returns CREATE with these corners, clockwise."""
-    xs = ", ".join(f"{x:.15g}" for x, _ in corners)
-    ys = ", ".join(f"{y:.15g}" for _, y in corners)
+    xs = ", ".join(f"{x:.17g}" for x, _ in corners)
+    ys = ", ".join(f"{y:.17g}" for _, y in corners)
     return f"CREATE, {len(corners)}, {material}, {int(fixed)}\n{xs}\n{ys}\n"
 
 
@@ -28,7 +28,8 @@ def with_lines(text, **lines):
 FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
              "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
              "MOTION", "CYCLE", "STOP", "UNITS", "JOINT", "JPAIR", "BOND", "WALTON", "BARTON", "CUT",
-             "LOCDAMP", "KINDAMP", "SOLVE", "FOS", "MSCALE", "SERVO", "QUIET", "VORONOI", "HISTORY", "CRACK", "MDAMP"}
+             "LOCDAMP", "KINDAMP", "SOLVE", "FOS", "MSCALE", "SERVO", "QUIET", "VORONOI", "HISTORY",
+             "CRACK", "MDAMP"}
 
 
 def turned(text, degrees, shift=(0.0, 0.0)):
