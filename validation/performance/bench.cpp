@@ -93,11 +93,20 @@ int run(const Options& options) {
       "rounds in which the codes take turns; one thread on processor time, more, "
       "and one beside them, on the clock.\n",
       plan.rounds));
-  bool headed = false;
+  bool headed = false, failed = false;
   for (const Part& part : parts())
     if (is_asked_for(part, options)) {
-      part.run(plan, report);
       const std::string name(part.name);
+      try {
+        part.run(plan, report);
+      } catch (const std::exception& error) {
+        // The times of the other parts are kept.
+        report.notes.push_back(
+            fmt::format("The part {} failed: {}", name, error.what()));
+        fmt::print(stderr, "blocks: error: {}\n", report.notes.back());
+        failed = true;
+        continue;
+      }
       if (part.scenes && !std::exchange(headed, true))
         say(heading_of_scenes());
       say(part.scenes ? rows_of_scenes(report, name) : table_of(report, name));
@@ -111,7 +120,7 @@ int run(const Options& options) {
   const bool drawn = draw_scenes(report, options.output + ".png");
   fmt::print(stderr, "wrote {0}.md, {0}.json{1}\n", options.output,
              drawn ? ", " + options.output + ".png" : "");
-  return 0;
+  return failed ? 1 : 0;
 }
 
 }  // namespace
