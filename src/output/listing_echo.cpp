@@ -74,7 +74,9 @@ std::string settings_echo(const Model& model) {
       (model.history.interval > 0.0
            ? setting("interval of histories", "DTHIST", model.history.interval)
            : "") +
-      setting("fraction of critical time step", "TFRAC", fraction_in_force(s)) +
+      (chooses_fraction(s)
+           ? setting("fraction of critical time step", "TFRAC", std::string("safe"))
+           : setting("fraction of critical time step", "TFRAC", s.fraction)) +
       setting("time step", "TDEL", step.dt);
   if (s.units.known())
     text += setting("units of length, mass, time", "UNITS",

@@ -1,5 +1,7 @@
 #include "deck/parser.hpp"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -161,6 +163,19 @@ TEST(Overrides, AreCheckedLikeTheDeck) {
       "cannot change it\n  hint: add the card to the deck\n6 errors\n");
 }
 
+// Most lines of such a deck end between columns 73 and 80.
+TEST(Parser, LongCoordinatesAreNoSequenceNumbers) {
+  std::string text = preliminary_cards;
+  for (int i = 0; i < 40; ++i) {
+    const double x = 1.0 + 0.61803398874989485 * i, y = 0.0123456789012345678 * i;
+    text += fmt::format("CREATE, 4, 1\n{0:.16f}, {0:.16f}, {1:.16f}, {1:.16f}\n", x,
+                        x + 0.31415926535897931);
+    text += fmt::format("{0:.17f}, {1:.17f}, {1:.17f}, {0:.17f}\n", y,
+                        y + 0.27182818284590452);
+  }
+  EXPECT_EQ(parse_text(text + "CYCLE, 1\n").messages, "");
+}
+
 // The value of --set has no comments, and a word needs no quotes.
 TEST(Overrides, TakeWordsAsTheyAre) {
   for (const char* name : {"a!b$c", "soft rock", "  wet, clay ", "'soft rock'"}) {
@@ -173,13 +188,14 @@ TEST(Overrides, TakeWordsAsTheyAre) {
     expected.erase(expected.find_last_not_of(' ') + 1);
     EXPECT_EQ(p.only<Material>().name.value, expected);
   }
-  EXPECT_THAT(parse_text(preliminary_cards + "MOTION, 1\n",
-                         {{"MOTION", "dt", ".3 $ hello"}, {"BOXES", "ctol", "\xff"},
-                          {"MATERIAL", "name", "a\nRIGID"}})
-                  .messages,
-              AllOf(HasSubstr("MATERIAL: the value has a control character"),
-                    HasSubstr("dt, found '.3 $ hello'"),
-                    HasSubstr("BOXES: the value is not in UTF-8")));
+  EXPECT_THAT(
+      parse_text(preliminary_cards + "MOTION, 1\n", {{"MOTION", "dt", ".3 $ hello"},
+                                                     {"BOXES", "ctol", "\xff"},
+                                                     {"MATERIAL", "name", "a\nRIGID"}})
+          .messages,
+      AllOf(HasSubstr("MATERIAL: the value has a control character"),
+            HasSubstr("dt, found '.3 $ hello'"),
+            HasSubstr("BOXES: the value is not in UTF-8")));
 }
 
 TEST(Overrides, ChangeTheLengthOfListsTheyCount) {

@@ -18,8 +18,8 @@ struct Kernels {
   std::string_view name;  ///< baseline, avx2 or avx512
 
   /// Finds which tested contacts of the batches [begin, end) act and computes their
-  /// forces. Batches in doubt are not included in the extremes. Their signs have to be
-  /// decided exactly, and then `compute_forces` has to be called.
+  /// forces. Unsettled batches (BatchMarks) are left out of the extremes. It has to be
+  /// settled what acts there, and then `compute_forces` has to be called.
   Extremes (*test_and_compute_forces)(const BatchArrays&, const BlockState&,
                                       const ContactLaw&, bool rigid, int begin,
                                       int end);
