@@ -30,6 +30,7 @@ usage() {
                        predicates   the contact predicates against MPFR
                        study        the scenes of contact detection
                        frames       decks in other frames
+                       steps        the error of the integration for three time steps
                        reliability  damaged files, full disks, failing memory, kills
                        bits         the same bits from every compiler and thread count
                        fuzz         libFuzzer on every reader

@@ -141,6 +141,12 @@ def frames(arguments):
                       *([] if arguments.decks else ["--report"]))
 
 
+def steps(arguments):
+    build("release", "blocks")
+    return run_python("robustness/time_steps.py", RELEASE / "src/blocks", *arguments.decks,
+                      *([] if arguments.decks else ["--report"]))
+
+
 def reliability(arguments):
     build("ci")
     return run_python("reliability/report.py", CI, RELIABILITY / "REPORT", *arguments.words,
@@ -280,6 +286,10 @@ def parser():
                   "Runs all shipped decks and those of the validation problems in nine frames, and "
                   "compares the motion of their blocks. Takes a quarter of an hour. Writes "
                   "validation/robustness/FRAMES.md.")
+    command.add_argument("decks", metavar="DECK", nargs="*", help="only these decks; writes no report")
+    command = add("steps", steps, "the error of the integration for three time steps",
+                  "Runs the decks of the validation problems with their FRACTION, half and a quarter "
+                  "of it. Takes ten minutes. Writes validation/robustness/TIME_STEPS.md.")
     command.add_argument("decks", metavar="DECK", nargs="*", help="only these decks; writes no report")
     command = add("reliability", reliability, "files and inputs that are damaged or forged",
                   "Kills runs, fills disks, lets memory requests fail and changes files at random, "
