@@ -154,7 +154,7 @@ BLOCKS_INLINE Pack stiffness_of(Pack old, Pack per_length, Pack length, double u
 /// an end would have stronger dashpots than the whole.
 BLOCKS_INLINE Pack dashpot_share(Pack per_area, const FaceLength& face) {
   const Pack shared = root(face.length / face.alone);
-  return (per_area > 0.0) & (face.alone > 0.0) ? shared : all_of(1.0);
+  return ((per_area > 0.0) & (face.alone > 0.0)) ? shared : all_of(1.0);
 }
 
 /// Applies one kind of law. may_start: false if motion.starting is known to be 0.
