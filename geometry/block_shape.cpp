@@ -8,6 +8,7 @@
 #include "geometry/polygon.hpp"
 
 namespace blocks::geometry {
+
 BlockShape measure_shape(const Polygon& outline) {
   BlockShape shape;
   const SectionProperties section = section_properties(outline);

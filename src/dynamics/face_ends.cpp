@@ -6,6 +6,9 @@
 namespace blocks::dynamics {
 namespace {
 
+/// A corner that has slipped by more than this share of its edge slides.
+constexpr double sliding = 0x1p-10;
+
 /// The two contacts at one end of a face.
 class FaceEnd {
  public:
@@ -61,13 +64,20 @@ class FaceEnd {
     return batches_.at(contact.slot, &JointRow::offset);
   }
 
+  /// Returns whether the corner of a contact slides along its edge. Its spring then
+  /// goes with the corner to the next edge.
+  bool slides(const Contact& contact) const {
+    const double slip = batches_.at(contact.slot, &JointRow::slip);
+    return contact.acted &&
+           slip * slip > sliding * sliding * side(contact).squaredNorm();
+  }
   bool may_share() const {
     const auto& [a, b] = ends_;
     const int law = batches_.at(a.slot, &FaceRow::law);
     if (law != batches_.at(b.slot, &FaceRow::law))
       return false;
-    if (!arrays_.laws.has_stiffness(law) &&
-        !(arrays_.laws.in_situ() && (offset(a) > 0.0 || offset(b) > 0.0)))
+    const bool held = arrays_.laws.in_situ() && (offset(a) > 0.0 || offset(b) > 0.0);
+    if (!held && (!arrays_.laws.has_stiffness(law) || slides(a) || slides(b)))
       return false;
     const Vec2 one = side(a), other = side(b);
     const double along = one.dot(other);
@@ -89,8 +99,6 @@ class FaceEnd {
   void copy_state(const Contact& from, const Contact& to) const {
     if (!to.acts || to.acted)
       return;
-    each_state([&](double* value) { value[to.slot % lane_count] = 0.0; },
-               batches_.joints[to.slot / lane_count]);
     each_state(
         [&](double* value, const double* other) {
           value[to.slot % lane_count] = other[from.slot % lane_count];

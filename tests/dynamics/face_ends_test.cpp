@@ -77,8 +77,8 @@ TEST(FaceEnds, ABlockInACornerCarriesTheSameInEveryFrame) {
   }
 }
 
-// The upper block is pushed to and fro across the flush position, so each of two
-// corners that meet acts and rests again and again.
+// The upper block moves a little to the left and to the right of the flush position, so
+// each of two corners that meet acts and rests again and again.
 TEST(FaceEnds, AFaceKeepsItsStiffnessAndForceWhicheverCornersAct) {
   constexpr double kn = 1e9;
   std::mt19937_64 random(1);
@@ -108,6 +108,28 @@ TEST(FaceEnds, AFaceKeepsItsStiffnessAndForceWhicheverCornersAct) {
     }
   }
   EXPECT_GT(changes, 3000);
+}
+
+TEST(FaceEnds, ASlidingBlockDoesNotSinkAtTheJointsOfItsFloor) {
+  constexpr double kn = 2e8;
+  for (const double speed : {1.0, -1.0}) {
+    Scene scene;
+    use_law(scene, stiff(0.0, kn));
+    scene.model.settings.damping = 0.2;
+    for (int i = -8; i < 8; ++i)
+      scene.box(i, -1, 1, 1, true);
+    const int slider = scene.box(-0.7, 0, 1.3, 0.6);
+    scene.gravity(0, -10);
+    scene.steps(6000);  // comes to rest
+    const double level = scene.centroid(slider).y();
+    while (std::abs(scene.centroid(slider).x()) < 5.0) {
+      scene.velocity(slider, speed, scene.model.blocks.velocity.col(slider).y());
+      scene.step();
+    }
+    EXPECT_LT(level - scene.centroid(slider).y(),
+              1.5 * scene.weight(slider) / (1.3 * kn))
+        << speed;
+  }
 }
 
 /// Lets a stack of loose bricks slide and topple. Returns the motion of its blocks in

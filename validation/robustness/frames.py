@@ -165,7 +165,7 @@ def name_of_card(line):
 
 
 def plain(text):
-    """Returns the deck without cards that only report, in one line each."""
+    """Returns the deck without cards that only report. Each of them has one line."""
     return "".join(line for line in text.splitlines(True)
                    if name_of_card(line) not in ("HISTORY", "OUTPUT", "DUMP", "SAVE"))
 
@@ -230,14 +230,27 @@ def resolved(program, text, folder):
     return "\n".join(out) + "\n", Mesh(program, folder)
 
 
-def motion_of(program, text, folder, seconds):
-    """Runs a deck. Returns the times of its frames, and the motion of its blocks."""
-    folder.mkdir()
+def copy_files(deck, folder):
+    """Copies the files beside a deck that its cards may read."""
+    for file in deck.parent.iterdir():
+        if file.is_file() and file.suffix in (".geojson", ".msh", ".txt", ".csv"):
+            (folder / file.name).write_bytes(file.read_bytes())
+
+
+def run_deck(program, text, folder, seconds):
+    """Runs a deck as run.deck in a folder. Raises a ValueError with the first line of what the
+    program wrote if there are no results."""
     (folder / "run.deck").write_text(text)
     done = subprocess.run([program, "run", "run.deck", "-q", "-j", "1"], cwd=folder, text=True,
                           capture_output=True, timeout=seconds, check=False)
     if done.returncode not in (0, 4) or not (folder / "run.summary.json").exists():
-        raise ValueError(done.stderr.strip().splitlines()[0] if done.stderr.strip() else "no results")
+        raise ValueError((done.stderr.strip().splitlines() or ["no results"])[0])
+
+
+def motion_of(program, text, folder, seconds):
+    """Runs a deck. Returns the times of its frames, and the motion of its blocks."""
+    folder.mkdir()
+    run_deck(program, text, folder, seconds)
     results = Results(folder / "run", 0)
     centroid = results.all("Centroid")[:, :, :2]
     return results.times, centroid - centroid[0]
@@ -249,9 +262,7 @@ def compare(program, deck, seconds):
     row = {}
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
-        for file in deck.parent.iterdir():
-            if file.is_file() and file.suffix in (".geojson", ".msh", ".txt", ".csv"):
-                (folder / file.name).write_bytes(file.read_bytes())
+        copy_files(deck, folder)
         text, mesh = resolved(program, plain(deck.read_text()), folder)
 
         def run(name, frame):

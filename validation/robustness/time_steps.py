@@ -20,7 +20,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
-from frames import PROBLEMS, name_of, name_of_card, plain  # noqa: E402
+from frames import PROBLEMS, copy_files, name_of, name_of_card, plain, run_deck  # noqa: E402
 
 PARTS = (1.0, 0.5, 0.25)
 
@@ -47,14 +47,8 @@ def errors_of(program, deck, seconds):
     for part in PARTS:
         with tempfile.TemporaryDirectory() as folder:
             folder = Path(folder)
-            for file in deck.parent.iterdir():
-                if file.is_file() and file.suffix in (".geojson", ".msh", ".txt", ".csv"):
-                    (folder / file.name).write_bytes(file.read_bytes())
-            (folder / "run.deck").write_text(with_account(text, part))
-            done = subprocess.run([program, "run", "run.deck", "-q", "-j", "1"], cwd=folder, text=True,
-                                  capture_output=True, timeout=seconds, check=False)
-            if done.returncode:
-                raise ValueError((done.stderr.strip().splitlines() or ["it failed"])[0])
+            copy_files(deck, folder)
+            run_deck(program, with_account(text, part), folder, seconds)
             energy = json.loads((folder / "run.summary.json").read_text())["energy"]
             found.append(energy["integration"] / energy["at_play"] if energy["at_play"] else 0.0)
     return found
