@@ -53,8 +53,9 @@ std::vector<CardSpec> rest_cards() {
                   {"dxx", real, "0", any, "[F/L^3]", "gradient of sxx in y"},
                   {"dyy", real, "0", any, "[F/L^3]", "gradient of syy in y"},
                   {"dxy", real, "0", any, "[F/L^3]", "gradient of sxy in y"}},
-       .notes = "Loads the flush faces of all blocks at its place in the deck, and "
-                "gives deformable blocks the stress at their centroids.",
+       .notes = "Loads the flush faces of all blocks and the sides on symmetry planes "
+                "at its place in the deck, and gives deformable blocks the stress at "
+                "their centroids.",
        .example = "INSITU, -1.D4, -2.D4"},
       {.name = "SERVO",
        .section = "ours",

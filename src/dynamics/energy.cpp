@@ -37,12 +37,11 @@ double plane_spring(const Settings& settings, double force) {
 }
 
 double plane_springs(const Model& model) {
-  const PlaneContacts& contacts = model.plane_contacts;
   double sum = 0.0;
-  for (int i = 0; i < contacts.size(); ++i)
-    if (contacts.active[static_cast<std::size_t>(i)] &&
-        model.blocks.is_free(model.blocks.corner_block[contacts.corner[i]]))
-      sum += plane_spring(model.settings, contacts.normal_elastic[i]);
+  for (const PlaneContact& contact : model.plane_contacts)
+    if (contact.active &&
+        model.blocks.is_free(model.blocks.corner_block[contact.corner]))
+      sum += plane_spring(model.settings, contact.normal_elastic);
   return sum;
 }
 
@@ -105,13 +104,12 @@ void count_changes(Model& model, EnergyEntry entry, const LawTable& laws,
 ContactTally tally_planes(const Model& model) {
   ContactTally tally;
   const double dt = model.time_step.dt;
-  const PlaneContacts& contacts = model.plane_contacts;
-  for (int i = 0; i < contacts.size(); ++i) {
-    const PlaneForce force = plane_force(model.blocks, contacts, i, model.settings, dt);
+  for (const PlaneContact& contact : model.plane_contacts) {
+    const PlaneForce force = plane_force(model.blocks, contact, model.settings, dt);
     if (!force.acts)
       continue;
     ContactStep<double> step{};
-    step.normal_before = contacts.normal_elastic[i];
+    step.normal_before = contact.normal_elastic;
     step.normal = force.spring;
     step.normal_force = force.normal;
     step.closing = force.closing * dt;
@@ -120,6 +118,7 @@ ContactTally tally_planes(const Model& model) {
     step.normal_energy = plane_spring(model.settings, step.normal);
     step.normal_energy_acting = step.normal_energy;
     tally.include(work_of(step));
+    tally.integration += dt * (force.normal * force.lag);
   }
   return tally;
 }

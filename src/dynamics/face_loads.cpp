@@ -5,13 +5,6 @@
 
 namespace blocks::dynamics {
 
-Eigen::Matrix2d StressField::at(double y) const {
-  const double shear = xy + y * per_y_xy;
-  Eigen::Matrix2d stress;
-  stress << xx + y * per_y_xx, shear, shear, yy + y * per_y_yy;
-  return stress;
-}
-
 EdgeFrame::EdgeFrame(const Blocks& blocks, int edge) {
   const Vec2 side = blocks.corner.col(blocks.next[edge]) - blocks.corner.col(edge);
   along = side / side.norm();

@@ -5,17 +5,9 @@
 #include <vector>
 
 #include "dynamics/faces.hpp"
+#include "model/stress_field.hpp"
 
 namespace blocks::dynamics {
-
-/// A stress that is linear in y, [F/L^2], tension positive.
-struct StressField {
-  double xx = 0.0, yy = 0.0, xy = 0.0;                    ///< [F/L^2] at y = 0
-  double per_y_xx = 0.0, per_y_yy = 0.0, per_y_xy = 0.0;  ///< [F/L^3] gradients
-
-  /// Returns the tensor at a height, [F/L^2].
-  Eigen::Matrix2d at(double y) const;
-};
 
 /// Two corners at an end of a face are one point if their distance is less than this
 /// fraction of the side. It exceeds the rounding of coordinates up to a million block

@@ -1,182 +1,17 @@
 #include "dynamics/in_situ.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include "dynamics/applied_force.hpp"
-#include "dynamics/contact_table.hpp"
-#include "dynamics/faces.hpp"
-#include "dynamics/kernels/barton_law.hpp"
-#include "dynamics/kernels/coulomb_law.hpp"
-#include "dynamics/kernels/walton_law.hpp"
+#include "dynamics/in_situ_contacts.hpp"
+#include "dynamics/in_situ_planes.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/search/near_pairs.hpp"
-#include "dynamics/spring_energy.hpp"
-#include "geometry/contact_constants.hpp"
+#include "model/removal.hpp"
 
 namespace blocks::dynamics {
 namespace {
-
-/// Returns the length of joint that a contact stands for in its first step, [L], as
-/// `length_of` of the kernel computes it. acts(at) tells which contacts act.
-template <class Acts>
-double length_of(const Blocks& blocks, const CornerOnEdge& at, const Acts& acts) {
-  constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
-  const auto corner = [&](int c) { return Vec2(blocks.corner.col(c)); };
-  const int before = blocks.previous[at.corner], after = blocks.next[at.corner];
-  const int edge_end = blocks.next[at.edge];
-  const Vec2 edge = corner(edge_end) - corner(at.edge);
-  const double square = edge.squaredNorm();
-  const double place = (corner(at.corner) - corner(at.edge)).dot(edge);
-  const auto common = [&](const Vec2& side, double low, double high) {
-    const double along = side.dot(edge);
-    const bool faces =
-        along > 0.0 && along * along >= square_of_cosine * side.squaredNorm() * square;
-    return faces ? std::max(0.0, std::min(high, square) - std::max(low, 0.0)) : 0.0;
-  };
-  const Vec2 from = corner(before) - corner(at.corner);
-  const Vec2 to = corner(at.corner) - corner(after);
-  const double reach_from = from.dot(edge), reach_to = to.dot(edge);
-  const double share_before = acts({at.edge, before}) ? 0.5 : 1.0;
-  const double share_after = acts({edge_end, at.corner}) ? 0.5 : 1.0;
-  const double both = common(from, place, place + reach_from) * share_before +
-                      common(to, place - reach_to, place) * share_after;
-  return 0.5 * both / std::sqrt(square);
-}
-
-/// Loads contacts one by one.
-class Loading {
- public:
-  Loading(Model& model, const LawTable& laws)
-      : model_(model), laws_(laws), table_(model), energies_(model.settings, laws) {}
-
-  void load(const std::vector<FaceLoad>& loads) {
-    for (const FaceLoad& load : loads)
-      put(load, loads);
-  }
-  InSituReport finish(int faces) {
-    table_.finish();
-    report_.faces = faces;
-    return report_;
-  }
-
- private:
-  /// Returns whether the contact can carry tension.
-  bool is_bonded(const FaceLoad& load) {
-    const ContactEntry* const listed = table_.find(load.at);
-    return listed != nullptr && listed->second.bonded &&
-           laws_.bit(laws_.law_of(model_.blocks, load.at.corner, load.at.edge)) ==
-               coulomb_bit;
-  }
-  bool carries(const FaceLoad& load) { return load.normal > 0.0 || is_bonded(load); }
-
-  void put(const FaceLoad& load, const std::vector<FaceLoad>& loads) {
-    if (!carries(load)) {
-      report_.open += load.normal < 0.0;
-      if (ContactEntry* const listed = table_.find(load.at))
-        unload(*listed);
-      return;
-    }
-    const double length = length_of(model_.blocks, load.at, [&](CornerOnEdge at) {
-      return std::any_of(loads.begin(), loads.end(), [&](const FaceLoad& one) {
-        return one.at == at && carries(one);
-      });
-    });
-    ContactEntry& entry = table_.find_or_add(load.at);
-    ++report_.contacts;
-    const int law = laws_.law_of(model_.blocks, load.at.corner, load.at.edge);
-    set(entry, load, law, length);
-    test(entry, law);
-  }
-
-  static void unload(ContactEntry& entry) {
-    auto& [contact, state] = entry;
-    contact.normal_elastic = contact.normal_force = 0.0;
-    contact.shear_elastic = contact.shear_force = 0.0;
-    state.offset = state.closure = state.plastic = 0.0;
-  }
-
-  /// Returns the stiffness that the contact has in the first step, [F/L].
-  static double stiffness_of(double old, double per_length, double length,
-                             double usual) {
-    const double wanted = per_length * length;
-    const double kept = old > 0.0 ? old : wanted > 0.0 ? wanted : usual;
-    return std::max(wanted, kept);
-  }
-
-  void set(ContactEntry& entry, const FaceLoad& load, int law, double length) {
-    auto& [contact, state] = entry;
-    const Settings& settings = model_.settings;
-    const LawColumns& columns = laws_.columns();
-    const auto i = static_cast<std::size_t>(law);
-    const double depth = depth_below(model_.blocks, load.at);
-    contact.normal_elastic = contact.normal_force = load.normal;
-    contact.shear_elastic = contact.shear_force = load.shear;
-    contact.overlap = std::max(0.0, depth);
-    if (!state.bonded)
-      state.failed = true;
-    state.law = laws_.id(law);
-    state.length = length;
-    state.stiffness = stiffness_of(state.stiffness, columns.normal_stiffness[i], length,
-                                   settings.normal_stiffness);
-    state.shear_stiffness =
-        stiffness_of(state.shear_stiffness, columns.shear_stiffness[i], length,
-                     settings.shear_stiffness);
-    double compression = load.normal / state.stiffness;
-    if (laws_.bit(law) == walton_bit) {
-      // On the line of first loading, a little beyond it so that FN is kept exactly.
-      constexpr double beyond = 1.0 + 0x1p-50;
-      state.closure = compression * beyond;
-      state.plastic =
-          state.closure - compression / energies_.values_of(law).unloading_ratio;
-    } else if (laws_.bit(law) == barton_bit) {
-      const BandisClosure<double> bandis(energies_.values_of(law), length,
-                                         state.stiffness);
-      state.closure = compression = bandis.closure(load.normal);
-      state.plastic = 0.0;
-    }
-    state.offset = std::max(0.0, compression - depth);
-  }
-
-  /// Makes a step without motion, and reports a contact whose spring does not stay.
-  void test(const ContactEntry& entry, int law) {
-    const auto& [contact, state] = entry;
-    ContactMotion<double> still{};
-    still.overlap = contact.overlap;
-    ContactState<double> now = state_of(contact, state);
-    ContactForce<double> force{};
-    const LawValues<double> values = energies_.values_of(law);
-    constexpr double any_step = 1.0;
-    switch (laws_.bit(law)) {
-    case walton_bit:
-      apply_walton<false>(values, any_step, still, now, force);
-      break;
-    case barton_bit:
-      apply_barton<false>(values, any_step, still, now, force);
-      break;
-    default:
-      apply_coulomb<false>(values, any_step, still, now, force);
-    }
-    const double normal = contact.normal_elastic, shear = contact.shear_elastic;
-    if (now.normal == normal && now.shear == shear)
-      return;
-    const double lost = std::hypot(normal - now.normal, shear - now.shear);
-    if (report_.weak++ > 0 && lost <= most_lost_)
-      return;
-    most_lost_ = lost;
-    report_.weakest = model_.blocks.corner.col(contact.corner);
-    report_.normal = normal, report_.shear = shear;
-  }
-
-  Model& model_;
-  const LawTable& laws_;
-  ContactTable table_;
-  SpringEnergies energies_;
-  InSituReport report_;
-  double most_lost_ = 0.0;  ///< [F] of the weakest contact
-};
 
 void set_stresses(Blocks& blocks, const StressField& field) {
   for (int b = 0; b < blocks.size(); ++b)
@@ -190,9 +25,17 @@ void set_stresses(Blocks& blocks, const StressField& field) {
 /// step finds them.
 void set_forces(Model& model) {
   Blocks& blocks = model.blocks;
-  if (model.settings.rigid)
-    blocks.applied.setZero();
-  add_loads(model);
+  blocks.force.setZero();
+  blocks.moment.setZero();
+  blocks.applied.setZero();
+  add_loads_of_cards(model);
+  for (const PlaneContact& contact : model.plane_contacts) {
+    const Plane& plane = model.settings.planes[contact.plane];
+    const Vec2 along = (plane.b - plane.a).normalized();
+    add_force(blocks, blocks.corner_block[contact.corner],
+              blocks.present_arm(contact.corner),
+              contact.normal_force * Vec2(-along.y(), along.x()));
+  }
   for (const Contact& contact : model.contacts) {
     const EdgeFrame edge(blocks, contact.edge);
     const Vec2 force =
@@ -207,39 +50,85 @@ void set_forces(Model& model) {
     blocks.applied.col(b) /= blocks.area[b];
 }
 
-}  // namespace
-
-InSituReport load_faces(Model& model, const StressField& field, double tolerance) {
-  const bool had_states = model.settings.in_situ || !model.settings.joint_laws.empty();
-  model.settings.in_situ = true;
-  Blocks& blocks = model.blocks;
-  if (!model.settings.rigid)
-    set_stresses(blocks, field);
+/// Loads the faces of those pairs of blocks for which `chosen(pair)` is true.
+template <class Chosen> InSituReport load_pairs(Model& model, const Chosen& chosen) {
+  Settings& settings = model.settings;
+  const bool had_states = settings.in_situ || !settings.joint_laws.empty();
+  settings.in_situ = true;
+  const double tolerance = flush_tolerance(settings);
+  InSituReport report;
   LawTable laws;
-  laws.make(model.settings, blocks);
+  laws.make(settings, model.blocks);
   NearSearch memory;
   std::vector<NearPair> pairs;
-  find_near_pairs(blocks, tolerance, memory, pairs);
-  Loading loading(model, laws);
-  PairLoads loads(blocks, field);
-  int faces = 0;
+  find_near_pairs(model.blocks, tolerance, memory, pairs);
+  ContactLoading loading(model, laws, report);
+  PairLoads loads(model.blocks, settings.ground);
   for (const NearPair& pair : pairs) {
+    if (!chosen(pair))
+      continue;
     loads.clear();
-    each_face(blocks, pair.low, pair.high, [&](const Face& face) {
+    each_face(model.blocks, pair.low, pair.high, [&](const Face& face) {
       if (face.is_flush(tolerance, same_point * face.length_of_side()))
-        loads.add(face), ++faces;
+        loads.add(face), ++report.faces;
     });
     loading.load(loads.all());
   }
-  const InSituReport report = loading.finish(faces);
+  loading.finish();
   if (report.contacts == 0 && !had_states) {
-    model.settings.in_situ = false;
+    settings.in_situ = false;
     model.joint_states.clear();
   }
-  // Plane contacts have no forces before the first step, and are left alone later.
-  if (model.plane_contacts.size() == 0)
-    set_forces(model);
   return report;
+}
+
+}  // namespace
+
+void InSituReport::add_weak(const geometry::Vec2& at, double its_normal,
+                            double its_shear, double loses) {
+  if (weak++ > 0 && loses <= lost)
+    return;
+  weakest = at;
+  normal = its_normal, shear = its_shear, lost = loses;
+}
+
+double flush_tolerance(const Settings& settings) {
+  constexpr double part_of_ctol = 0.01;
+  return part_of_ctol * settings.contact_tolerance;
+}
+
+InSituReport load_faces(Model& model, const StressField& field) {
+  const Blocks& blocks = model.blocks;
+  model.settings.ground = field;
+  model.fixed_in_ground.clear();
+  for (int b = 0; b < blocks.size(); ++b)
+    if (!blocks.is_free(b) && !blocks.is_driven(b) && !blocks.is_removed(b))
+      model.fixed_in_ground.push_back(b);
+  if (!model.settings.rigid)
+    set_stresses(model.blocks, field);
+  InSituReport report = load_pairs(model, [](const NearPair&) { return true; });
+  const auto every_block = [](int) { return true; };
+  load_planes(model, every_block, report);
+  set_forces(model);
+  return report;
+}
+
+void free_in_ground(Model& model, const std::vector<int>& chosen) {
+  free_blocks(model, chosen);
+  std::vector<int>& fixed = model.fixed_in_ground;
+  const std::vector<int> before = fixed;
+  std::erase_if(fixed, [&](int b) { return model.blocks.is_free(b); });
+  if (fixed.size() == before.size())
+    return;
+  const auto had_no_contacts = [&](int b) {
+    return std::binary_search(before.begin(), before.end(), b);
+  };
+  InSituReport report = load_pairs(model, [&](const NearPair& pair) {
+    return had_no_contacts(pair.low) && had_no_contacts(pair.high);
+  });
+  load_planes(model, had_no_contacts, report);
+  if (report.faces > 0)
+    set_forces(model);
 }
 
 }  // namespace blocks::dynamics

@@ -18,18 +18,23 @@ PressureForces forces_of(const Blocks& blocks, const Pressure& pressure,
 }
 
 bool has_loads(const Model& model) {
-  return model.plane_contacts.size() > 0 || !model.loads.none();
+  return !model.plane_contacts.empty() || !model.loads.none();
 }
 
 Extremes add_loads(Model& model) {
   Blocks& blocks = model.blocks;
-  const Loads& loads = model.loads;
   blocks.force.setZero();
   blocks.moment.setZero();
   if (!model.settings.rigid)
     blocks.applied.setZero();
-  const Extremes at_planes = add_plane_forces(blocks, model.plane_contacts,
-                                              model.settings, model.time_step.dt);
+  const Extremes at_planes = add_plane_forces(model);
+  add_loads_of_cards(model);
+  return at_planes;
+}
+
+void add_loads_of_cards(Model& model) {
+  Blocks& blocks = model.blocks;
+  const Loads& loads = model.loads;
   for (const Pressure& pressure : loads.pressures) {
     const PressureForces forces = forces_of(
         blocks, pressure, loads.function.factor(model.time, pressure.arrival));
@@ -41,7 +46,6 @@ Extremes add_loads(Model& model) {
         loads.function.factor(model.time, load.arrival) * load.force;
   if (!loads.quiet_sides.empty())
     add_quiet_sides(blocks, loads.quiet_sides);
-  return at_planes;
 }
 
 }  // namespace blocks::dynamics

@@ -26,4 +26,7 @@ PressureForces forces_of(const Blocks& blocks, const Pressure& pressure, double 
 /// the extremes of the contacts with planes.
 Extremes add_loads(Model& model);
 
+/// Adds the loads of the cards PRESS, FORCE and QUIET only.
+void add_loads_of_cards(Model& model);
+
 }  // namespace blocks::dynamics

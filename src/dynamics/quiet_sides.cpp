@@ -7,8 +7,8 @@
 
 #include "dynamics/applied_force.hpp"
 #include "dynamics/block_energy.hpp"
+#include "dynamics/in_situ.hpp"
 #include "dynamics/point_velocity.hpp"
-#include "model/removal.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -131,7 +131,7 @@ Vec2 make_quiet(Model& model, const QuietSide& quiet) {
   side.cp = quiet.cp, side.cs = quiet.cs;
   if (blocks.is_free(b))
     return {0, 0};
-  free_blocks(model, {b});
+  free_in_ground(model, {b});
   const Vec2 weight = blocks.mass[b] * model.settings.gravity_at(model.time);
   const Vec2 held = Vec2::Zero() - Vec2(blocks.force.col(b)) - weight;
   const QuietSide before = side;

@@ -120,7 +120,7 @@ void Stepper::bring_in() {
     outwards_ = inwards_.reverse();
   }
   inwards_.renumber(model_.blocks, inside_.blocks);
-  inwards_.renumber(model_.plane_contacts, inside_.plane_contacts);
+  inside_.plane_contacts = inwards_.renumbered(model_.plane_contacts);
   inwards_.renumber(model_.contacts, model_.joint_states, inside_.blocks,
                     inside_.contacts, inside_.joint_states);
   inside_.loads = inwards_.renumbered(model_.loads);
@@ -143,7 +143,7 @@ void Stepper::bring_in() {
 
 void Stepper::bring_out() {
   outwards_.renumber(inside_.blocks, model_.blocks);
-  outwards_.renumber(inside_.plane_contacts, model_.plane_contacts);
+  model_.plane_contacts = outwards_.renumbered(inside_.plane_contacts);
   outwards_.renumber(inside_.contacts, inside_.joint_states, model_.blocks,
                      model_.contacts, model_.joint_states);
   outside_current_ = true;

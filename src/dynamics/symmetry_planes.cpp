@@ -12,74 +12,85 @@
 
 namespace blocks::dynamics {
 
-void update_plane_contacts(Model& model, PlaneContacts& memory, double tolerance) {
+namespace {
+
+Vec2 along_of(const Plane& plane) { return (plane.b - plane.a).normalized(); }
+
+}  // namespace
+
+void update_plane_contacts(Model& model, std::vector<PlaneContact>& memory,
+                           double tolerance) {
   const Blocks& blocks = model.blocks;
-  const PlaneContacts& old = model.plane_contacts;
   const double reach = 2.0 * tolerance;
-  std::vector<std::pair<int, int>> found;
+  std::vector<PlaneContact>& next = memory;
+  next.clear();
+  auto old = model.plane_contacts.begin();
   for (int k = 0; k < static_cast<int>(model.settings.planes.size()); ++k) {
     const Plane& plane = model.settings.planes[k];
-    const Vec2 t = (plane.b - plane.a).normalized();
-    for (int c = 0; c < blocks.corners(); ++c)
-      if (blocks.is_free(blocks.corner_block[c]) &&
-          geometry::cross(t, blocks.corner.col(c) - plane.a) <= reach)
-        found.emplace_back(k, c);
-  }
-  PlaneContacts& next = memory;
-  next.resize(static_cast<int>(found.size()));
-  int j = 0;
-  for (int i = 0; i < next.size(); ++i) {
-    next.plane[i] = found[i].first;
-    next.corner[i] = found[i].second;
-    next.active[i] = 0;
-    while (j < old.size() && std::pair(old.plane[j], old.corner[j]) < found[i])
-      ++j;
-    if (j < old.size() && std::pair(old.plane[j], old.corner[j]) == found[i]) {
-      next.active[i] = old.active[j];
-      next.normal_elastic[i] = old.normal_elastic[j];
-      next.normal_force[i] = old.normal_force[j];
-      next.overlap[i] = old.overlap[j];
+    const Vec2 along = along_of(plane);
+    for (int c = 0; c < blocks.corners(); ++c) {
+      while (old != model.plane_contacts.end() &&
+             std::pair(old->plane, old->corner) < std::pair(k, c))
+        ++old;
+      const bool listed =
+          old != model.plane_contacts.end() && old->plane == k && old->corner == c;
+      if (!blocks.is_free(blocks.corner_block[c]))
+        continue;
+      const double gap = geometry::cross(along, blocks.corner.col(c) - plane.a);
+      if (gap <= reach || (listed && gap <= reach + old->offset))
+        next.push_back(listed ? *old : PlaneContact{.plane = k, .corner = c});
     }
   }
   std::swap(model.plane_contacts, next);
 }
 
-PlaneForce plane_force(const Blocks& blocks, const PlaneContacts& contacts, int i,
+PlaneForce plane_force(const Blocks& blocks, const PlaneContact& contact,
                        const Settings& settings, double dt) {
   PlaneForce force;
-  const Plane& plane = settings.planes[contacts.plane[i]];
-  const int c = contacts.corner[i], b = blocks.corner_block[c];
-  const Vec2 at = blocks.corner.col(c);
-  if (!blocks.is_free(b) || geometry::overlap_sign(at, plane.a, plane.b) <= 0)
+  const Plane& plane = settings.planes[contact.plane];
+  const int c = contact.corner, b = blocks.corner_block[c];
+  if (!blocks.is_free(b))
     return force;
-  force.acts = true;
-  const Vec2 along = plane.b - plane.a;
+  const Vec2 at = blocks.corner.col(c), along = plane.b - plane.a;
   const double length = along.norm();
+  const double depth = geometry::cross(at - plane.a, along) / length;
+  force.acts = geometry::overlap_sign(at, plane.a, plane.b) > 0 ||
+               (contact.offset > 0.0 && depth + contact.offset > 0.0);
+  if (!force.acts)
+    return force;
   force.inward = {-along.y() / length, along.x() / length};
-  force.overlap = std::max(0.0, geometry::cross(at - plane.a, along) / length);
-  force.arm = blocks.present_arm(c);
-  force.closing = -point_velocity(blocks, b, force.arm).dot(force.inward);
+  force.overlap = std::max(0.0, depth);
+  // On the plane, half way between the corner and its mirror image: in the model
+  // without the plane, the contacts of both act on the block.
+  force.arm = blocks.present_arm(c) + depth * force.inward;
+  // Velocities are those of half a step before the positions
+  // (docs/theory.md#the-velocities-of-a-contact).
+  const Vec2 inwards = 0.5 * dt * (blocks.spin[b] * blocks.spin[b]) * force.arm;
+  force.lag = inwards.dot(force.inward);
+  force.closing = -point_velocity(blocks, b, force.arm).dot(force.inward) - force.lag;
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness, 0.0, dt};
   const double damping = damping_against_fixed(settings, blocks.inertial_mass(b));
   double shear_elastic = 0.0, shear = 0.0;
-  force.spring = contacts.normal_elastic[i];
+  force.spring = contact.normal_elastic;
   apply(law, force.spring, shear_elastic, force.closing, 0.0, force.overlap, damping,
-        contacts.active[i] ? 0.0 : 1.0, force.normal, shear);
+        contact.active ? 0.0 : 1.0, force.normal, shear);
   return force;
 }
 
-Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
-                          const Settings& settings, double dt) {
+Extremes add_plane_forces(Model& model) {
   Extremes extremes;
-  for (int i = 0; i < contacts.size(); ++i) {
-    const PlaneForce force = plane_force(blocks, contacts, i, settings, dt);
-    contacts.active[i] = force.acts ? 1 : 0;
-    contacts.normal_elastic[i] = force.spring;
-    contacts.normal_force[i] = force.normal;
-    contacts.overlap[i] = force.overlap;
-    if (!force.acts)
+  for (PlaneContact& contact : model.plane_contacts) {
+    const PlaneForce force =
+        plane_force(model.blocks, contact, model.settings, model.time_step.dt);
+    contact.active = force.acts;
+    contact.normal_elastic = force.spring;
+    contact.normal_force = force.normal;
+    contact.overlap = force.overlap;
+    if (!force.acts) {
+      contact.offset = 0.0;
       continue;
-    add_force(blocks, blocks.corner_block[contacts.corner[i]], force.arm,
+    }
+    add_force(model.blocks, model.blocks.corner_block[contact.corner], force.arm,
               force.normal * force.inward);
     extremes.include({force.overlap, force.spring});
   }

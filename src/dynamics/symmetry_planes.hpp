@@ -10,27 +10,29 @@ namespace blocks::dynamics {
 /// Finds the corners of free blocks that may touch a plane before a corner has moved by
 /// `tolerance`, [L]. Contacts that were listed before keep their springs. `memory` is
 /// working memory, kept between calls.
-void update_plane_contacts(Model& model, PlaneContacts& memory, double tolerance);
+void update_plane_contacts(Model& model, std::vector<PlaneContact>& memory,
+                           double tolerance);
 
 /// What a plane does to a corner in a step.
 struct PlaneForce {
-  bool acts = false;           ///< the corner is behind the plane
+  bool acts = false;           ///< the corner is behind the plane, or held by INSITU
   Vec2 inward = Vec2::Zero();  ///< unit normal of the plane, towards the blocks
-  Vec2 arm = Vec2::Zero();     ///< [L] from the centroid of the block to the corner
+  Vec2 arm = Vec2::Zero();     ///< [L] from the centroid of the block to the plane
   double overlap = 0.0;        ///< [L] >= 0
   double closing = 0.0;        ///< [L/T] velocity of the corner into the plane
+  double lag = 0.0;            ///< [L/T] closing of half a step before, less closing
   double spring = 0.0;         ///< [F] at the end of the step
   double normal = 0.0;         ///< [F] spring and dashpot
 };
 
-/// Computes the force of contact i from its spring at the start of the step. If the
+/// Computes the force of a contact from its spring at the start of the step. If the
 /// contact does not act, all values are 0.
-PlaneForce plane_force(const Blocks& blocks, const PlaneContacts& contacts, int i,
+PlaneForce plane_force(const Blocks& blocks, const PlaneContact& contact,
                        const Settings& settings, double dt);
 
-/// Adds the forces of the planes to the blocks. A plane is frictionless, has infinite
-/// mass and carries no tension. Returns the largest overlap and spring.
-Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
-                          const Settings& settings, double dt);
+/// Advances the springs of the planes by a step, and adds their forces to the blocks. A
+/// plane is frictionless, has infinite mass and carries no tension. Returns the largest
+/// overlap and spring.
+Extremes add_plane_forces(Model& model);
 
 }  // namespace blocks::dynamics

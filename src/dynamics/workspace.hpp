@@ -59,7 +59,7 @@ struct Workspace {
   NearSearch search;
   PairIndex last_index;  ///< that of the search before
   std::vector<NearPair> near_pairs;
-  PlaneContacts plane_contacts;
+  std::vector<PlaneContact> plane_contacts;
   /// The column of corners for which the columns of blocks were last moved to huge
   /// pages.
   const double* corners_in_huge_pages = nullptr;

@@ -118,14 +118,13 @@ std::vector<ContactForce> Simulation::contacts() const {
                       left_of(all.corner.col(e), all.corner.col(all.next[e])),
                       contact.normal_force, contact.shear_force, contact.overlap});
   }
-  const PlaneContacts& on_planes = model.plane_contacts;
-  for (int i = 0; i < on_planes.size(); ++i) {
-    const int c = on_planes.corner[i];
-    const Plane& plane = model.settings.planes[on_planes.plane[i]];
-    if (on_planes.active[i])
-      acting.push_back({all.corner_block[c] + 1, number(c), 0, on_planes.plane[i] + 1,
+  for (const PlaneContact& contact : model.plane_contacts) {
+    const int c = contact.corner;
+    const Plane& plane = model.settings.planes[contact.plane];
+    if (contact.active)
+      acting.push_back({all.corner_block[c] + 1, number(c), 0, contact.plane + 1,
                         all.corner.col(c), left_of(plane.a, plane.b),
-                        on_planes.normal_force[i], 0.0, on_planes.overlap[i]});
+                        contact.normal_force, 0.0, contact.overlap});
   }
   return acting;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "model/blocks.hpp"
 #include "model/joint_state.hpp"
@@ -40,18 +39,17 @@ inline std::tuple<int, int, int, int> sort_key(const Blocks& blocks,
   return {low, high, contact.corner, contact.edge};
 }
 
-/// Potential contacts between corners and symmetry planes, as arrays ordered by plane,
-/// then corner. They are frictionless (SPLANE, docs/theory.md#symmetry-planes).
-struct PlaneContacts {
-  std::vector<int> plane;
-  std::vector<int> corner;
-  std::vector<char> active;
-  Eigen::ArrayXd normal_elastic;  ///< [F]
-  Eigen::ArrayXd normal_force;    ///< [F] of the last step
-  Eigen::ArrayXd overlap;         ///< [L]
-
-  int size() const { return static_cast<int>(corner.size()); }
-  void resize(int k);
+/// A corner that may touch a symmetry plane (SPLANE, docs/theory.md#symmetry-planes).
+/// There is no friction. Lists are ordered by plane, then corner.
+struct PlaneContact {
+  int plane = 0;
+  int corner = 0;
+  bool active = false;
+  double normal_elastic = 0.0;  ///< [F] FN of the spring alone, >= 0
+  double normal_force = 0.0;    ///< [F] of the last step, spring and dashpot, >= 0
+  double overlap = 0.0;         ///< [L] depth of the corner behind the plane, >= 0
+  double offset = 0.0;          ///< [L] >= 0; also acts up to this gap
+  bool operator==(const PlaneContact&) const = default;
 };
 
 }  // namespace blocks

@@ -71,8 +71,8 @@ double unbalanced_ratio(const Model& model) {
   }
   for (const Contact& contact : model.contacts)
     all += Vec2(contact.normal_force, contact.shear_force).norm();
-  for (int i = 0; i < model.plane_contacts.size(); ++i)
-    all += std::abs(model.plane_contacts.normal_force[i]);
+  for (const PlaneContact& contact : model.plane_contacts)
+    all += contact.normal_force;
   return all > 0.0 ? unbalanced / all : 0.0;
 }
 

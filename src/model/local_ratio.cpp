@@ -20,9 +20,8 @@ Eigen::VectorXd sums_of_forces(const Model& model) {
     const auto [low, high] = pair_of(blocks, contact);
     sums[low] += size, sums[high] += size;
   }
-  const PlaneContacts& planes = model.plane_contacts;
-  for (int i = 0; i < planes.size(); ++i)
-    sums[blocks.corner_block[planes.corner[i]]] += std::abs(planes.normal_force[i]);
+  for (const PlaneContact& contact : model.plane_contacts)
+    sums[blocks.corner_block[contact.corner]] += contact.normal_force;
   return sums;
 }
 

@@ -126,7 +126,10 @@ struct Model {
   std::vector<JointState> joint_states;
   /// Number of contacts that BOND has bonded, without bonds that REMOVE took away.
   long bonds_made = 0;
-  PlaneContacts plane_contacts;
+  std::vector<PlaneContact> plane_contacts;
+  /// Fixed blocks that INSITU has put into its field, ascending. They had no contacts
+  /// with each other, and get them when they are freed.
+  std::vector<int> fixed_in_ground;
   Loads loads;
   std::vector<Drive> drives;  ///< ascending in block
   std::vector<Servo> servos;  ///< ascending in block; each has a drive

@@ -183,22 +183,13 @@ void Numbering::renumber(const std::vector<Contact>& from,
     take(states, records, states_to);
 }
 
-void Numbering::renumber(const PlaneContacts& from, PlaneContacts& to) const {
-  std::vector<std::array<int, 3>> places;  // plane, new corner, old index
-  for (int i = 0; i < from.size(); ++i)
-    places.push_back({from.plane[i], corners_.new_of[from.corner[i]], i});
-  std::sort(places.begin(), places.end());
-  NewNumbers records;
-  for (const auto& [plane, corner, old] : places)
-    records.old_of.push_back(old);
-  take(from.plane, records, to.plane);
-  take(from.corner, records, to.corner);
-  take(from.active, records, to.active);
-  take(from.normal_elastic, records, to.normal_elastic);
-  take(from.normal_force, records, to.normal_force);
-  take(from.overlap, records, to.overlap);
-  for (int& corner : to.corner)
-    corner = corners_.new_of[corner];
+std::vector<PlaneContact> Numbering::renumbered(std::vector<PlaneContact> list) const {
+  for (PlaneContact& contact : list)
+    contact.corner = corners_.new_of[contact.corner];
+  std::sort(list.begin(), list.end(), [](const PlaneContact& l, const PlaneContact& r) {
+    return std::pair(l.plane, l.corner) < std::pair(r.plane, r.corner);
+  });
+  return list;
 }
 
 }  // namespace blocks

@@ -50,7 +50,8 @@ class Numbering {
   void renumber(const std::vector<Contact>& from, const std::vector<JointState>& states,
                 const Blocks& blocks, std::vector<Contact>& to,
                 std::vector<JointState>& states_to) const;
-  void renumber(const PlaneContacts& from, PlaneContacts& to) const;
+  /// Returns the contacts with planes with new numbers of corners, in their order.
+  std::vector<PlaneContact> renumbered(std::vector<PlaneContact> list) const;
   /// Returns the loads with new block numbers; their order is unchanged.
   Loads renumbered(Loads loads) const;
   /// Returns the drives with new block numbers, in ascending order.

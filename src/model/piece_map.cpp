@@ -133,21 +133,12 @@ std::vector<int> blocks_of_corners(const PieceMap& map) {
   return block;
 }
 
-void move_plane_contacts(PlaneContacts& list, const PieceMap& map) {
-  for (int& corner : list.corner)
-    corner = map.corner(corner);
-  std::vector<int> order = numbers_to(list.corner.size());
-  std::sort(order.begin(), order.end(), [&](int l, int r) {
-    const auto left = static_cast<std::size_t>(l), right = static_cast<std::size_t>(r);
-    return std::pair(list.plane[left], list.corner[left]) <
-           std::pair(list.plane[right], list.corner[right]);
+void move_plane_contacts(std::vector<PlaneContact>& list, const PieceMap& map) {
+  for (PlaneContact& contact : list)
+    contact.corner = map.corner(contact.corner);
+  std::sort(list.begin(), list.end(), [](const PlaneContact& l, const PlaneContact& r) {
+    return std::pair(l.plane, l.corner) < std::pair(r.plane, r.corner);
   });
-  reorder(list.plane, order);
-  reorder(list.corner, order);
-  reorder(list.active, order);
-  for (Eigen::ArrayXd* column :
-       {&list.normal_elastic, &list.normal_force, &list.overlap})
-    *column = Eigen::ArrayXd((*column)(order));
 }
 
 }  // namespace

@@ -29,21 +29,9 @@ void remove_contacts(Model& model) {
 }
 
 void remove_plane_contacts(Model& model) {
-  PlaneContacts& list = model.plane_contacts;
-  int kept = 0;
-  for (int i = 0; i < list.size(); ++i) {
-    if (model.blocks.is_removed(model.blocks.corner_block[list.corner[i]]))
-      continue;
-    list.plane[kept] = list.plane[i];
-    list.corner[kept] = list.corner[i];
-    list.active[kept] = list.active[i];
-    for (auto* column : {&list.normal_elastic, &list.normal_force, &list.overlap})
-      (*column)[kept] = (*column)[i];
-    ++kept;
-  }
-  list.plane.resize(kept), list.corner.resize(kept), list.active.resize(kept);
-  for (auto* column : {&list.normal_elastic, &list.normal_force, &list.overlap})
-    column->conservativeResize(kept);
+  std::erase_if(model.plane_contacts, [&](const PlaneContact& contact) {
+    return model.blocks.is_removed(model.blocks.corner_block[contact.corner]);
+  });
 }
 
 void remove_loads(Model& model) {

@@ -11,6 +11,7 @@
 #include "geometry/decimal.hpp"
 #include "geometry/vec2.hpp"
 #include "model/joint_law.hpp"
+#include "model/stress_field.hpp"
 
 namespace blocks {
 
@@ -78,6 +79,7 @@ struct Settings {
   bool mass_scaling = false;     ///< MSCALE
   /// INSITU has acted: contacts without the law of a joint keep a JointState too.
   bool in_situ = false;
+  StressField ground;  ///< of the last INSITU
   bool rigid = false;  ///< IRIGID
   std::map<int, Material> materials;
   std::map<int, JointLaw> joint_laws;  ///< JOINT, WALTON, BARTON by joint id

@@ -20,7 +20,7 @@ ModelTotals totals(const Model& model) {
     sum.fastest = std::max(sum.fastest, v.norm());
   }
   sum.listed_contacts =
-      static_cast<int>(model.contacts.size()) + model.plane_contacts.size();
+      static_cast<int>(model.contacts.size() + model.plane_contacts.size());
   const auto count = [&](double overlap) {
     ++sum.active_contacts;
     sum.worst_overlap = std::max(sum.worst_overlap, overlap);
@@ -35,10 +35,9 @@ ModelTotals totals(const Model& model) {
     intact_bonds += state.bonded && !state.failed;
   }
   sum.broken = model.bonds_made - intact_bonds;
-  const PlaneContacts& on_planes = model.plane_contacts;
-  for (int i = 0; i < on_planes.size(); ++i)
-    if (on_planes.active[static_cast<std::size_t>(i)])
-      count(on_planes.overlap[i]);
+  for (const PlaneContact& contact : model.plane_contacts)
+    if (contact.active)
+      count(contact.overlap);
   return sum;
 }
 

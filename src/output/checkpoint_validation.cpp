@@ -41,6 +41,9 @@ void expect_settings(const Settings& s) {
   expect("settings/damping", s.damping, not_negative);
   expect("settings/friction", s.friction, not_negative);
   expect("settings/gravity", s.gravity);
+  for (const double value : {s.ground.xx, s.ground.yy, s.ground.xy, s.ground.per_y_xx,
+                             s.ground.per_y_yy, s.ground.per_y_xy})
+    expect("settings/ground", value, finite);
   expect("settings/gravity_ramp/from", s.gravity_ramp.from);
   expect("settings/gravity_ramp/begin", s.gravity_ramp.begin, not_negative);
   expect("settings/gravity_ramp/duration", s.gravity_ramp.duration, not_negative);
@@ -197,20 +200,24 @@ void expect_contacts(const Model& model) {
   }
 }
 
-void expect_plane_contacts(const PlaneContacts& c, const Model& model) {
-  const std::size_t k = c.plane.size();
-  const auto rows = static_cast<Eigen::Index>(k);
-  expect_indices("plane_contacts/plane", c.plane, k,
-                 static_cast<long>(model.settings.planes.size()));
-  expect_indices("plane_contacts/corner", c.corner, k, model.blocks.corners());
-  for (std::size_t i = 1; i < k; ++i)
-    if (!(std::pair(c.plane[i - 1], c.corner[i - 1]) <
-          std::pair(c.plane[i], c.corner[i])))
-      reject_checkpoint(fmt::format("plane contact {} is out of order", i + 1));
-  expect_all("plane_contacts/active", c.active, rows, yes_or_no);
-  expect_all("plane_contacts/normal_elastic", c.normal_elastic, rows, not_negative);
-  expect_all("plane_contacts/normal_force", c.normal_force, rows, not_negative);
-  expect_all("plane_contacts/overlap", c.overlap, rows, not_negative);
+void expect_plane_contacts(const std::vector<PlaneContact>& list, const Model& model) {
+  const auto planes = static_cast<int>(model.settings.planes.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const PlaneContact& contact = list[i];
+    const auto expect = [&](bool holds, const char* what) {
+      if (!holds)
+        reject_checkpoint(fmt::format("plane contact {} {}", i + 1, what));
+    };
+    expect(contact.plane >= 0 && contact.plane < planes, "has no plane");
+    expect(contact.corner >= 0 && contact.corner < model.blocks.corners(),
+           "has no corner");
+    for (const double value : {contact.normal_elastic, contact.normal_force,
+                               contact.overlap, contact.offset})
+      expect(std::isfinite(value) && value >= 0.0, "has values out of range");
+    expect(i == 0 || std::pair(list[i - 1].plane, list[i - 1].corner) <
+                         std::pair(contact.plane, contact.corner),
+           "is out of order");
+  }
 }
 
 void expect_loads(const Loads& loads, const Blocks& b) {
@@ -430,6 +437,10 @@ void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_joint_states(model);
   expect_drives(model);
   expect_plane_contacts(model.plane_contacts, model);
+  expect_indices("fixed_in_ground", model.fixed_in_ground, model.fixed_in_ground.size(),
+                 model.blocks.size());
+  if (!std::is_sorted(model.fixed_in_ground.begin(), model.fixed_in_ground.end()))
+    reject_checkpoint("fixed_in_ground is out of order");
   expect_loads(model.loads, model.blocks);
   expect_records(model);
   expect_equilibria(model);

@@ -195,19 +195,19 @@ std::string joint_states_dump(const Model& model) {
 }
 
 std::string plane_contacts_dump(const Model& model) {
-  const PlaneContacts& list = model.plane_contacts;
   std::string text = over_whole("block") + over_whole("corner") + over_whole("plane") +
                      over_whole("active") + over_number("FN") +
-                     over_number("normal force") + over_number("overlap") + "\n";
-  for (int i = 0; i < list.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int b = model.blocks.corner_block[static_cast<std::size_t>(list.corner[k])];
+                     over_number("normal force") + over_number("overlap") +
+                     over_number("offset") + "\n";
+  for (const PlaneContact& contact : model.plane_contacts) {
+    const auto corner = static_cast<std::size_t>(contact.corner);
+    const int b = model.blocks.corner_block[corner];
     text += whole(b + 1) +
-            whole(list.corner[k] -
+            whole(contact.corner -
                   model.blocks.first_corner[static_cast<std::size_t>(b)] + 1) +
-            whole(list.plane[k] + 1) + over_whole(list.active[k] ? "yes" : "no") +
-            number(list.normal_elastic[i]) + number(list.normal_force[i]) +
-            number(list.overlap[i]) + "\n";
+            whole(contact.plane + 1) + over_whole(contact.active ? "yes" : "no") +
+            number(contact.normal_elastic) + number(contact.normal_force) +
+            number(contact.overlap) + number(contact.offset) + "\n";
   }
   return text;
 }
@@ -226,7 +226,7 @@ void Listing::dump(const Model& model) {
        << contact_places_dump(model);
   if (!model.joint_states.empty())
     out_ << heading("CONTACTS OF JOINTS WITH A LAW") << joint_states_dump(model);
-  if (model.plane_contacts.size() > 0)
+  if (!model.plane_contacts.empty())
     out_ << heading(fmt::format("CORNERS AT PLANES, {} listed",
                                 model.plane_contacts.size()))
          << plane_contacts_dump(model);

@@ -59,8 +59,8 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   auto& [title, units, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
          contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
          friction, gravity, gravity_ramp, local_damping, kinetic_damping, mass_scaling,
-         in_situ, rigid, materials, joint_laws, joint_of_materials, crack_rules, planes,
-         seed, angle_min, angle_max, merge_ratio, layers_made] = settings;
+         in_situ, ground, rigid, materials, joint_laws, joint_of_materials, crack_rules,
+         planes, seed, angle_min, angle_max, merge_ratio, layers_made] = settings;
   ar("settings/title", title);
   {
     auto& [length, mass, time] = units;
@@ -91,6 +91,15 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   ar("settings/kinetic_damping", kinetic_damping);
   ar("settings/mass_scaling", mass_scaling);
   ar("settings/in_situ", in_situ);
+  {
+    auto& [xx, yy, xy, per_y_xx, per_y_yy, per_y_xy] = ground;
+    ar("settings/ground/xx", xx);
+    ar("settings/ground/yy", yy);
+    ar("settings/ground/xy", xy);
+    ar("settings/ground/per_y_xx", per_y_xx);
+    ar("settings/ground/per_y_yy", per_y_yy);
+    ar("settings/ground/per_y_xy", per_y_xy);
+  }
   ar("settings/rigid", rigid);
   ar.materials("settings/materials", materials,
                [](auto& column, auto& number, auto& material) {
@@ -183,13 +192,17 @@ template <class S, class Archive> void visit_joint_states(S& states, Archive& ar
 }
 
 template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive& ar) {
-  auto& [plane, corner, active, normal_elastic, normal_force, overlap] = contacts;
-  ar("plane_contacts/plane", plane);
-  ar("plane_contacts/corner", corner);
-  ar("plane_contacts/active", active);
-  ar("plane_contacts/normal_elastic", normal_elastic);
-  ar("plane_contacts/normal_force", normal_force);
-  ar("plane_contacts/overlap", overlap);
+  ar.records("plane_contacts", contacts, [](auto& column, auto& contact) {
+    auto& [plane, corner, active, normal_elastic, normal_force, overlap, offset] =
+        contact;
+    column("plane", plane);
+    column("corner", corner);
+    column("active", active);
+    column("normal_elastic", normal_elastic);
+    column("normal_force", normal_force);
+    column("overlap", overlap);
+    column("offset", offset);
+  });
 }
 
 template <class L, class Archive> void visit_loads(L& loads, Archive& ar) {
@@ -249,18 +262,19 @@ template <class E, class Archive> void visit_energy(E& energy, Archive& ar) {
 }
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
-  auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts, loads,
-         drives, servos, time_step, search, output, plots, plot_times, plot_steps,
-         history, output_blocks, order, exits, merges, layers, cuts, joint_lengths,
-         steps, time, time_origin, step_origin, started, worst_overlap, energy, kept,
-         solves, safety_factors, safety_trials, cracks, crack_refusals,
-         last_kinetic_energy] = model;
+  auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts,
+         fixed_in_ground, loads, drives, servos, time_step, search, output, plots,
+         plot_times, plot_steps, history, output_blocks, order, exits, merges, layers,
+         cuts, joint_lengths, steps, time, time_origin, step_origin, started,
+         worst_overlap, energy, kept, solves, safety_factors, safety_trials, cracks,
+         crack_refusals, last_kinetic_energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
   visit_joint_states(joint_states, ar);
   ar("bonds_made", bonds_made);
   visit_plane_contacts(plane_contacts, ar);
+  ar("fixed_in_ground", fixed_in_ground);
   visit_loads(loads, ar);
   ar.records("drives", drives, [](auto& column, auto& drive) {
     auto& [block, velocity, spin] = drive;

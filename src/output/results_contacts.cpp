@@ -45,17 +45,14 @@ Rows between_blocks(const Model& model, std::size_t begin, std::size_t end) {
 Rows against_planes(const Model& model) {
   const Blocks& blocks = model.blocks;
   Rows rows;
-  const PlaneContacts& on_planes = model.plane_contacts;
-  for (int i = 0; i < on_planes.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (!on_planes.active[k])
+  for (const PlaneContact& contact : model.plane_contacts) {
+    if (!contact.active)
       continue;
-    const Plane& plane =
-        model.settings.planes[static_cast<std::size_t>(on_planes.plane[k])];
-    rows.add(blocks, on_planes.corner[k], left_of(plane.a, plane.b),
-             on_planes.normal_force[i], 0.0, on_planes.overlap[i]);
+    const Plane& plane = model.settings.planes[static_cast<std::size_t>(contact.plane)];
+    rows.add(blocks, contact.corner, left_of(plane.a, plane.b), contact.normal_force,
+             0.0, contact.overlap);
     rows.edge_block.push_back(0);
-    rows.edge.push_back(on_planes.plane[k] + 1);
+    rows.edge.push_back(contact.plane + 1);
   }
   return rows;
 }

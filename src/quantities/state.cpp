@@ -65,13 +65,10 @@ void list_contacts(const Model& model, std::vector<ContactState>& contacts) {
     if (i < model.joint_states.size() && model.joint_states[i].law != 0)
       contacts.back().state = model.joint_states[i];
   }
-  const PlaneContacts& on_planes = model.plane_contacts;
-  for (int i = 0; i < on_planes.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (on_planes.active[k])
-      contacts.push_back({number(on_planes.corner[k]), 0, on_planes.normal_force[i],
-                          0.0, on_planes.overlap[i]});
-  }
+  for (const PlaneContact& contact : model.plane_contacts)
+    if (contact.active)
+      contacts.push_back(
+          {number(contact.corner), 0, contact.normal_force, 0.0, contact.overlap});
 }
 
 }  // namespace blocks::quantities

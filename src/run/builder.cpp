@@ -199,8 +199,10 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Merge& card) { settings.merge_ratio = card.aratio.value; }
   void operator()(const deck::Splane& card) {
-    settings.planes.push_back(
-        {{card.x1.value, card.y1.value}, {card.x2.value, card.y2.value}});
+    const Plane plane = {{card.x1.value, card.y1.value},
+                         {card.x2.value, card.y2.value}};
+    settings.planes.push_back(plane);
+    self.check_plane_in_ground(command, plane);
     model.search.invalidate();
     self.places_.planes[settings.planes.size() - 1] = command.where;
     self.planes_.push_back(command);

@@ -239,6 +239,8 @@ class Builder {
 
   // Rest and waves, in builder_rest.cpp and builder_quiet.cpp
   void load_in_situ(const deck::Command& command, const deck::Insitu& card);
+  /// Warns if INSITU came before a plane on which sides lie.
+  void check_plane_in_ground(const deck::Command& command, const Plane& plane);
   void servo(const deck::Command& command, const deck::Servo& card);
   void make_quiet(const deck::Command& command, const deck::Quiet& card);
   void make_quiet(const deck::Command& command, const deck::Quiet& card,
@@ -284,7 +286,7 @@ class Builder {
   std::size_t unread_counted_ = 0;  ///< cards not read whose blocks are counted
   int certain_blocks_;              ///< blocks whose numbers are sure
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
-  bool balanced_ = false;    ///< there was a SOLVE or INSITU card
+  bool balanced_ = false;                         ///< there was a SOLVE or INSITU card
   std::size_t stretch_ = 0;  ///< index of the section between motions
   /// The blocks are where they will be when the next card acts. This is false after a
   /// motion that made no steps.

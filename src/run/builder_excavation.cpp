@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "dynamics/in_situ.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/region.hpp"
 #include "model/counted.hpp"
@@ -71,7 +72,7 @@ void Builder::free(const Command& command, const deck::Selection& named) {
   const std::vector<int> driven = chosen_with(Fixity::driven);
   fixed.insert(fixed.end(), driven.begin(), driven.end());
   if (!fixed.empty()) {
-    free_blocks(model_, fixed);
+    dynamics::free_in_ground(model_, fixed);
     note(command, "freed", fixed);
     return;
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dynamics/in_situ.hpp"
-#include "geometry/contact_predicates.hpp"
+#include "dynamics/in_situ_planes.hpp"
 #include "model/counted.hpp"
 #include "model/drives.hpp"
 #include "model/equilibrium.hpp"
@@ -15,53 +15,28 @@ namespace blocks::run {
 
 using deck::Command;
 
-namespace {
-
-/// Returns whether a free block has two corners on a symmetry plane.
-bool has_side_on_plane(const Model& model, double tolerance) {
-  const Blocks& blocks = model.blocks;
-  for (const Plane& plane : model.settings.planes) {
-    const geometry::Vec2 along = (plane.b - plane.a).normalized();
-    const auto is_on_plane = [&](int corner) {
-      const geometry::Vec2 from = blocks.corner.col(corner) - plane.a;
-      return std::abs(geometry::cross(along, from)) <= tolerance;
-    };
-    for (int c = 0; c < blocks.corners(); ++c)
-      if (blocks.is_free(blocks.corner_block[c]) && is_on_plane(c) &&
-          is_on_plane(blocks.next[c]))
-        return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
   if (!in_place_)
     return;
-  constexpr double part_of_ctol = 0.01;
-  const double tolerance = part_of_ctol * model_.settings.contact_tolerance;
   const dynamics::InSituReport report =
-      dynamics::load_faces(model_,
-                           {card.sxx.value, card.syy.value, card.sxy.value,
-                            card.dxx.value, card.dyy.value, card.dxy.value},
-                           tolerance);
-  // Forces at symmetry planes are not known before the next step.
-  const bool has_ratio = model_.plane_contacts.size() == 0;
-  const double ratio = has_ratio ? unbalanced_ratio(model_) : 0.0;
+      dynamics::load_faces(model_, {card.sxx.value, card.syy.value, card.sxy.value,
+                                    card.dxx.value, card.dyy.value, card.dxy.value});
+  const double ratio = unbalanced_ratio(model_);
   notes_.push_back(fmt::format(
-      "INSITU in line {} at time {:g}: {} loaded{}", command.where.line, model_.time,
-      counted(report.faces, "face"),
-      has_ratio ? fmt::format(", unbalanced force ratio {:.2g}", ratio) : ""));
+      "INSITU in line {} at time {:g}: {} loaded, unbalanced force ratio "
+      "{:.2g}",
+      command.where.line, model_.time, counted(report.faces, "face"), ratio));
   if (diagnostics_.has_errors())
     return;
   const auto warn = [&](const std::string& message, const std::string& hint) {
     diagnostics_.warning(command.where, command.name, message, hint);
   };
   if (report.faces == 0)
-    warn(fmt::format("no faces are flush within {:g}, so nothing is loaded", tolerance),
+    warn(fmt::format("no faces are flush within {:g}, so nothing is loaded",
+                     dynamics::flush_tolerance(model_.settings)),
          "put INSITU after the cards that make blocks; it loads faces whose gap or "
-         "overlap is at most a hundredth of ctol");
+         "overlap is at most a hundredth of ctol, those of two fixed blocks when FREE "
+         "releases one");
   constexpr double balanced = 1e-3;
   if (ratio > balanced && report.faces > 0 && report.open == 0)
     warn(fmt::format("the stress is not in equilibrium: unbalanced force ratio {:.2g}",
@@ -72,6 +47,10 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
     warn(fmt::format("{} without tensile strength would be in tension: no force there",
                      counted(report.open, "contact")),
          "the blocks move until the forces balance; BOND gives joints strength");
+  if (report.sheared > 0)
+    warn(fmt::format("{} on symmetry planes would bear shear: no shear force there",
+                     counted(report.sheared, "corner")),
+         "a symmetry plane must be a principal plane of the stress");
   if (report.weak > 0)
     warn(fmt::format("{} cannot carry the stress and will slip or fail; the worst is "
                      "at ({:g}, {:g}) with a shear force of {:g} and a normal force "
@@ -79,9 +58,14 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
                      counted(report.weak, "contact"), report.weakest.x(),
                      report.weakest.y(), std::abs(report.shear), report.normal),
          "raise the friction, or lower sxy or the difference of sxx and syy");
-  if (has_side_on_plane(model_, tolerance))
-    warn("sides on a symmetry plane are not loaded",
-         "put fixed blocks there instead of SPLANE, or PRESSBC on these sides");
+}
+
+void Builder::check_plane_in_ground(const Command& command, const Plane& plane) {
+  const bool after_in_situ = model_.settings.in_situ || !model_.fixed_in_ground.empty();
+  if (after_in_situ && !unread_.has("INSITU") && dynamics::has_sides_on(model_, plane))
+    diagnostics_.warning(command.where, command.name,
+                         "INSITU has not loaded the sides on this plane",
+                         "put SPLANE before INSITU");
 }
 
 void Builder::check_equilibrium(const Command& fos) {

@@ -20,10 +20,9 @@ std::vector<char> touching(const Model& model) {
   };
   for (const Contact& contact : model.contacts)
     mark(contact.corner), mark(contact.edge);
-  const PlaneContacts& planes = model.plane_contacts;
-  for (int i = 0; i < planes.size(); ++i)
-    if (planes.active[static_cast<std::size_t>(i)])
-      mark(planes.corner[i]);
+  for (const PlaneContact& contact : model.plane_contacts)
+    if (contact.active)
+      mark(contact.corner);
   return touches;
 }
 

@@ -59,7 +59,8 @@ std::vector<Doubt> doubt_behind_plane(const Plan& plan) {
       continue;
     const auto place = plan.places.planes.find(k);
     doubts.push_back(
-        {fmt::format("{} wholly or partly behind the plane will be pushed out: {}",
+        {fmt::format("{} wholly or partly behind the plane, which does not push "
+                     "blocks out: {}",
                      counted(found.size(), "free block"), number_ranges(found)),
          fmt::format("block {} reaches {:g} behind it; blocks must be on the left when "
                      "looking from point 1 to point 2",

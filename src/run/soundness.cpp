@@ -77,13 +77,12 @@ std::string unsound(const Model& model, const dynamics::StepResult& moved,
   const double stiffness = model.settings.normal_stiffness;
   if (!(moved.strongest > stiffness * half_depth))
     return "";
-  const PlaneContacts& on_planes = model.plane_contacts;
-  for (int i = 0; i < on_planes.size(); ++i) {
-    if (!on_planes.active[i])
+  for (const PlaneContact& contact : model.plane_contacts) {
+    if (!contact.active)
       continue;
-    const Plane& plane = model.settings.planes[on_planes.plane[i]];
-    const int block = blocks.corner_block[on_planes.corner[i]];
-    const double pressed = on_planes.normal_elastic[i] / stiffness;
+    const Plane& plane = model.settings.planes[contact.plane];
+    const int block = blocks.corner_block[contact.corner];
+    const double pressed = contact.normal_elastic / stiffness;
     const double above = 0.5 * extent_across(blocks, plane.a, plane.b, block);
     if (pressed > 0.5 * above)
       return fmt::format(

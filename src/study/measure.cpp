@@ -30,8 +30,10 @@ double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
     energy +=
         0.5 * contact.normal_elastic * contact.normal_elastic / s.normal_stiffness +
         0.5 * contact.shear_elastic * contact.shear_elastic / s.shear_stiffness;
-  return energy +
-         0.5 * model.plane_contacts.normal_elastic.square().sum() / s.normal_stiffness;
+  for (const PlaneContact& contact : model.plane_contacts)
+    energy +=
+        0.5 * contact.normal_elastic * contact.normal_elastic / s.normal_stiffness;
+  return energy;
 }
 
 /// The overlap of two blocks: its area [L^2], and the shortest shift that separates

@@ -123,18 +123,12 @@ Model random_model(Dice& dice) {
         {corner, edge, dice.number(), dice.number(), dice.number()});
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     model.joint_states.push_back({dice.below(3), dice.number(), dice.number()});
-  PlaneContacts& planes = model.plane_contacts;
   std::set<std::pair<int, int>> on_planes;
   for (int k = dice.below(20); k > 0; --k)
     on_planes.emplace(dice.below(2), dice.below(blocks.corners()));
-  planes.resize(static_cast<int>(on_planes.size()));
-  int i = 0;
-  for (const auto& [plane, corner] : on_planes) {
-    planes.plane[i] = plane, planes.corner[i] = corner;
-    planes.active[i] = static_cast<char>(dice.below(2));
-    planes.normal_elastic[i] = dice.number(), planes.overlap[i] = dice.number();
-    planes.normal_force[i++] = dice.number();
-  }
+  for (const auto& [plane, corner] : on_planes)
+    model.plane_contacts.push_back({plane, corner, dice.below(2) == 1, dice.number(),
+                                    dice.number(), dice.number(), dice.number()});
   for (int k = 0; k < 5; ++k) {
     model.loads.pressures.push_back({dice.below(n), 0, dice.number()});
     model.loads.forces.push_back({dice.below(n), {dice.number(), 0}});
@@ -150,7 +144,7 @@ Model renumbered(const Model& from, const Numbering& by) {
   by.renumber(from.blocks, to.blocks);
   by.renumber(from.contacts, from.joint_states, to.blocks, to.contacts,
               to.joint_states);
-  by.renumber(from.plane_contacts, to.plane_contacts);
+  to.plane_contacts = by.renumbered(from.plane_contacts);
   to.loads = by.renumbered(from.loads);
   to.drives = by.renumbered(from.drives);
   return to;

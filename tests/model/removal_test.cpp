@@ -19,13 +19,7 @@ Model row_of_three() {
                        {box(2, 0), 1, 2.0, Fixity::free}});
   model.contacts = {{2, 4, 1.0, 0.0, 1.0, 0.0, 0.1}, {6, 8, 1.0, 0.0, 1.0, 0.0, 0.1}};
   model.settings.planes = {{{5, 0}, {0, 0}}};
-  model.plane_contacts.resize(2);
-  model.plane_contacts.plane = {0, 0};
-  model.plane_contacts.corner = {4, 8};
-  model.plane_contacts.active = {1, 1};
-  model.plane_contacts.normal_elastic << 3.0, 4.0;
-  model.plane_contacts.normal_force << 5.0, 6.0;
-  model.plane_contacts.overlap << 7.0, 8.0;
+  model.plane_contacts = {{0, 4, true, 3.0, 5.0, 7.0}, {0, 8, true, 4.0, 6.0, 8.0}};
   for (int b = 0; b < 3; ++b) {
     model.loads.pressures.push_back({b, 0, 1.0, 1.0, 0.0});
     model.loads.forces.push_back({b, {1, 0}, 0.0});
@@ -46,10 +40,8 @@ TEST(Removal, LeavesNothingThatActsOnTheBlock) {
   EXPECT_TRUE(model.blocks.is_removed(1));
   EXPECT_FALSE(model.blocks.is_free(1));
   EXPECT_TRUE(model.contacts.empty());
-  ASSERT_EQ(model.plane_contacts.size(), 1);
-  EXPECT_EQ(model.plane_contacts.corner[0], 8);
-  EXPECT_EQ(model.plane_contacts.normal_elastic[0], 4.0);
-  EXPECT_EQ(model.plane_contacts.overlap[0], 8.0);
+  ASSERT_EQ(model.plane_contacts.size(), 1U);
+  EXPECT_EQ(model.plane_contacts[0], (PlaneContact{0, 8, true, 4.0, 6.0, 8.0}));
   ASSERT_EQ(model.loads.pressures.size(), 2U);
   EXPECT_EQ(model.loads.pressures[1].block, 2);
   ASSERT_EQ(model.loads.forces.size(), 2U);

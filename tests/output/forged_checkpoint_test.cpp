@@ -45,6 +45,7 @@ Model full_model() {
   model.plot_steps = {10, 0};
   model.history = {0.125, {"ke", "y:2"}};
   model.output_blocks = {0, 1};
+  model.fixed_in_ground = {0};
   model.order = {1, 0};
   model.exits = {{0, 0.004}};
   model.merges = {{1, 2, 3, 0.125, 0.2}};
@@ -100,7 +101,8 @@ class Forger {
     }
     // These lists may have any length, or are empty because all blocks are convex.
     if (name == "output/blocks" || name == "blocks/cuts" ||
-        name == "history/quantities" || name == "plots/times" || name == "kept/pieces")
+        name == "history/quantities" || name == "plots/times" ||
+        name == "kept/pieces" || name == "fixed_in_ground")
       return;
     if (how_ == How::longer && now(name))
       column.push_back(column.back());

@@ -23,7 +23,7 @@ const RunIdentity identity = {"two.deck", "START\n", "Two blocks", "1.0.0", 1982
 Model with_states() {
   Model model = samples::two_blocks();
   model.contacts.push_back({7, 1, 0.25, 0.0, 0.25, 0.0, 0.03125});
-  model.plane_contacts.active[0] = 1;
+  model.plane_contacts[0].active = true;
   model.settings.joint_laws[5] = {};
   JointState state;
   state.law = 5, state.bonded = true, state.failed = true;

@@ -52,10 +52,7 @@ inline Model two_blocks() {
   add_box(model, -4, -1, 8, 1, Fixity::by_user);
   add_box(model, -1, -0.0625, 2, 2);
   model.contacts = {{4, 1, 0.5, 0.0, 0.75, -0.125, 0.0625}};
-  model.plane_contacts.resize(1);
-  model.plane_contacts.plane[0] = 0;
-  model.plane_contacts.corner[0] = 0;
-  model.plane_contacts.active[0] = 0;
+  model.plane_contacts.emplace_back();
   model.blocks.velocity.col(1) = Vec2(0.5, -0.25);
   model.blocks.force.col(1) = Vec2(-0.125, 0.75);
   model.blocks.stress.col(1) << 1, 2, 2, -3;

@@ -126,11 +126,8 @@ TEST(CurveValues, OfJointsWithoutContactsAreNoneUnlessTheyAreSums) {
 TEST(CurveValues, ReduceContactsToBlocks) {
   Model model = stairs();
   model.contacts = {{0, 4, 0, 0, 30.0, -5.0, 0.25}};
-  model.plane_contacts.resize(2);
-  model.plane_contacts.corner = {1, 2};
-  model.plane_contacts.active = {1, 0};
-  model.plane_contacts.normal_force << 10.0, 1000.0;
-  model.plane_contacts.overlap << 0.125, 1000.0;
+  model.plane_contacts = {{0, 1, true, 0.0, 10.0, 0.125},
+                          {0, 2, false, 0.0, 1000.0, 1000.0}};
   EXPECT_EQ(value(model, "contacts"), 2.0);
   EXPECT_EQ(value(model, "overlap"), 0.25);
   EXPECT_EQ(value(model, "overlap:mean"), 0.1875);

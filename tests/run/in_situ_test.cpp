@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "model/equilibrium.hpp"
@@ -157,8 +158,111 @@ TEST_F(InSitu, WarnsWhereTheStressCannotBeCarried) {
   ran(rectangle(0, 0, 1, 1) + rectangle(3, 0, 4, 1) + "INSITU, -1\nCYCLE, 1\n");
   EXPECT_THAT(outcome_.err, HasSubstr("no faces are flush within"));
   ran(rectangle(0, 0, 1, 1) + rectangle(1, 0, 2, 1) +
-      "SPLANE, 0, 2, 0, -2\nINSITU, -1\nCYCLE, 1\n");
-  EXPECT_THAT(outcome_.err, HasSubstr("sides on a symmetry plane are not loaded"));
+      "SPLANE, 0, 2, 0, -2\nINSITU, -1, , .1\nCYCLE, 1\n");
+  EXPECT_THAT(outcome_.err, HasSubstr("2 corners on symmetry planes would bear shear"));
+}
+
+// The outside is a floor and symmetry planes, upright, slanted or both.
+TEST_F(InSitu, LoadsSidesOnSymmetryPlanes) {
+  const std::string floor = rectangle(-1, -1, 9, 0, true);
+  const std::string planes = "SPLANE, 0, 9, 0, 0\nSPLANE, 8, 0, 8, 9\n";
+  for (const std::string& inside :
+       {outline + "VORONOI, 30, 2, 5\nCUT, .1, .05\n",
+        std::string("LAYER, -6, 1, 0,0, 0,2, 8,2, 8,0, RANDOM\n"
+                    "LAYER, -6, 1, 0,2, 0,8, 8,8, 8,2, RANDOM\n")})
+    for (const bool rigid : {true, false})
+      for (const int steps : {1, 500}) {
+        const Model model =
+            ran(floor + inside + planes + stress + fmt::format("CYCLE, {}\n", steps),
+                rigid);
+        EXPECT_LE(unbalanced_ratio(model), 1e-12) << inside << rigid << steps;
+        EXPECT_THAT(outcome_.err, Not(HasSubstr("warning: INSITU")));
+        double on_planes = 0.0;
+        for (const PlaneContact& contact : model.plane_contacts)
+          on_planes += contact.normal_force;
+        // The mean of sxx is -2e4 over a height of 8, on both planes.
+        EXPECT_NEAR(on_planes, 2 * 8 * 2e4, 1e-9 * on_planes) << inside << rigid;
+      }
+}
+
+// A plane has no friction: the ground must not have shear there.
+TEST_F(InSitu, KeepsPlanesWhenThePlaneComesFirst) {
+  ran(rectangle(0, 0, 1, 1) + rectangle(1, 0, 2, 1) +
+      "INSITU, -1\nSPLANE, 0, 2, 0, -2\nCYCLE, 1\n");
+  EXPECT_THAT(outcome_.err, HasSubstr("INSITU has not loaded the sides on this plane"));
+}
+
+// Two rows of fixed blocks bear the ground. The lower one is free later, and stays at
+// rest.
+TEST_F(InSitu, LoadsFacesBetweenFixedBlocksWhenTheyAreFreed) {
+  std::string rows;
+  for (int row = 0; row < 3; ++row)
+    for (int i = 0; i < 8; ++i)
+      rows += rectangle(i, -row - 1, i + 1, -row, true);
+  const std::string walls =
+      rectangle(-1, -3, 0, 8, true) + rectangle(8, -3, 9, 8, true);
+  for (const bool rigid : {true, false})
+    for (const std::string until : {"", "CYCLE, 100\n"}) {
+      const Model model = ran(rows + walls + rectangle(-1, -4, 9, -3, true) + outline +
+                                  "VORONOI, 30, 2, 5\nCUT, .1, .05\n" + stress + until +
+                                  "FREE, in(0, -2, 8, 0)\nCYCLE, 200\n",
+                              rigid);
+      EXPECT_LE(unbalanced_ratio(model), 1e-12) << rigid << until;
+    }
+}
+
+// All blocks are fixed when INSITU acts, so it loads nothing but remembers its field.
+TEST_F(InSitu, LoadsBlocksThatWereAllFixed) {
+  for (const bool rigid : {true, false}) {
+    const Model model =
+        ran(rectangle(0, 0, 1, 1, true) + rectangle(1, 0, 2, 1, true) +
+                rectangle(-1, 0, 0, 1, true) + rectangle(2, 0, 3, 1, true) +
+                "INSITU, -1.E5\nFREE, 1, 2\nCYCLE, 100\n",
+            rigid);
+    EXPECT_LE(unbalanced_ratio(model), 1e-12) << rigid;
+    ASSERT_FALSE(model.contacts.empty());
+    for (const Contact& contact : model.contacts)
+      EXPECT_NEAR(contact.normal_elastic, 25e3, 1e-6);
+  }
+}
+
+// In a turned frame the principal stresses have shear of rounding only.
+TEST_F(InSitu, DoesNotWarnOfRounding) {
+  std::string blocks;
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  for (int i = -1; i < 2; ++i)
+    for (int j = -1; j < 2; ++j) {
+      std::string xs, ys;
+      for (const auto& [x, y] : {std::pair(i, j), std::pair(i, j + 1),
+                                 std::pair(i + 1, j + 1), std::pair(i + 1, j)}) {
+        xs += fmt::format("{}{:.17g}", xs.empty() ? "" : ", ", c * x - s * y);
+        ys += fmt::format("{}{:.17g}", ys.empty() ? "" : ", ", s * x + c * y);
+      }
+      blocks +=
+          fmt::format("CREATE, 4, 1, {}\n{}\n{}\n", i != 0 || j != 0 ? 1 : 0, xs, ys);
+    }
+  const double mean = -7.5e4, half = -2.5e4;  // -1e5 and -5e4 along the sides
+  ran(blocks + fmt::format("INSITU, {:.17g}, {:.17g}, {:.17g}\nCYCLE, 1\n",
+                           mean + half * std::cos(1.4), mean - half * std::cos(1.4),
+                           half * std::sin(1.4)));
+  EXPECT_THAT(outcome_.err, Not(HasSubstr("warning: INSITU")));
+}
+
+// Shear in the ground has mobilised the roughness of a joint of BARTON.
+TEST_F(InSitu, MobilisesTheStrengthOfBarton) {
+  const std::string barton = "JOINT, 7, , , , , , , , , , 5.E8\n"
+                             "BARTON, 7, 10, 1.E8, 30, 1.E-3, 1.E9, 5.E-3, 1.E10\n"
+                             "JPAIR, 1, 1, 7\n";
+  const Model model = ran(voronoi + barton + stress + "CYCLE, 300\n");
+  EXPECT_THAT(outcome_.err, Not(HasSubstr("cannot carry")));
+  EXPECT_LE(unbalanced_ratio(model), 1e-12);
+  double path = 0.0;
+  for (const JointState& state : model.joint_states) {
+    path = std::max(path, state.path);
+    EXPECT_NEAR(state.slip, 0.0, 1e-15);
+  }
+  EXPECT_GT(path, 1e-4);
+  EXPECT_LT(path, 1e-3);
 }
 
 TEST_F(InSitu, TellsHowManyFacesItLoads) {

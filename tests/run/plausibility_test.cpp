@@ -58,7 +58,8 @@ const RuleCase cases[] = {
      rigid(rectangle(0, 9, 1, 10) + end),
      rigid(rectangle(0, 8.9, 1, 9.9) + rectangle(0, -10, 1, -9, true) + end)},
     {"behind-plane",
-     "SPLANE: 2 free blocks wholly or partly behind the plane will be pushed out: "
+     "SPLANE: 2 free blocks wholly or partly behind the plane, which does not push "
+     "blocks out: "
      "1 to 2\n",
      rigid("CLOOP, 3, 2, 0\n" + square + rectangle(-9, -1, 9, 0, true) +
            "SPLANE, 2.5, 1, 2.5, 0\n" + end),

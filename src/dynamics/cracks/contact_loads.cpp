@@ -58,12 +58,11 @@ ContactLoads::ContactLoads(const Model& model, double part) {
     add(contact.corner, at, force);
     add(contact.edge, at, -force);
   }
-  const PlaneContacts& planes = model.plane_contacts;
-  for (int i = 0; i < planes.size(); ++i) {
-    const Plane& plane = model.settings.planes[planes.plane[i]];
-    if (planes.active[i])
-      add(planes.corner[i], blocks.corner.col(planes.corner[i]),
-          planes.normal_force[i] * left_of((plane.b - plane.a).normalized()));
+  for (const PlaneContact& contact : model.plane_contacts) {
+    const Plane& plane = model.settings.planes[contact.plane];
+    if (contact.active)
+      add(contact.corner, blocks.corner.col(contact.corner),
+          contact.normal_force * left_of((plane.b - plane.a).normalized()));
   }
   std::stable_sort(loads_.begin(), loads_.end(),
                    [](const auto& l, const auto& r) { return l.first < r.first; });

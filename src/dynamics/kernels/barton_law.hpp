@@ -60,6 +60,36 @@ template <class Number>
   return u < 0.6 ? (u - 0.3) * (0.75 / 0.3) : part;
 }
 
+/// The strength of a rough joint.
+template <class Number> struct RoughStrength {
+  Number limit;  ///< [F]
+  Number angle;  ///< radians that roughness adds; less than 0 before it is mobilised
+};
+
+/// Returns the strength at a slip of `u` peak slips under the force `normal` on a face
+/// of `length`. The angle that roughness adds is -phi_r without slip, and 0 at 0.3 peak
+/// slips.
+template <class Number>
+[[gnu::always_inline]] inline RoughStrength<Number>
+rough_strength(const LawValues<Number>& law, const Number& length, const Number& normal,
+               const Number& u) {
+  constexpr double per_degree = 0.017453292519943295769;  // radians
+  constexpr double largest_angle = 70.0 * per_degree;
+  constexpr double largest_ratio = 1e300;  // of JCS to the stress, for stresses near 0
+  const Number whole = Number{} + 1.0;
+  const Number stress_ratio = law.wall_strength * length / normal;
+  const Number above = stress_ratio > 1.0 ? stress_ratio : whole;
+  const Number bounded = above < largest_ratio ? above : Number{} + largest_ratio;
+  const Number peak = law.roughness * per_degree * log10_of(bounded);
+  const Number rough = peak * mobilised(u);
+  const Number most = largest_angle - law.residual_angle;
+  const Number limited = rough < most ? rough : most;
+  const Number unmobilised = law.residual_angle * (u * (1.0 / 0.3) - 1.0);
+  const Number angle = u < 0.3 ? unmobilised : limited;
+  const Number total = positive(Number(law.residual_angle + angle));
+  return {normal * tan_of(total) * law.strength_share, angle};
+}
+
 /// Advances `state` by one step and computes `force`, [F]. state.closure becomes V, the
 /// closure of Bandis, which follows from state.normal; state.plastic is the opening by
 /// dilation, which is part of state.offset. A contact without a face
@@ -70,9 +100,6 @@ template <bool may_start = true, class Number>
                                                 const ContactMotion<Number>& motion,
                                                 ContactState<Number>& state,
                                                 ContactForce<Number>& force) {
-  constexpr double per_degree = 0.017453292519943295769;  // radians
-  constexpr double largest_angle = 70.0 * per_degree;
-  constexpr double largest_ratio = 1e300;  // of JCS to the stress, for stresses near 0
   const Number none = Number{}, whole = none + 1.0;
   // There is no strength that could be lost.
   state.bonded = none, state.failed = whole;
@@ -93,21 +120,11 @@ template <bool may_start = true, class Number>
       state.shear + closing.share * state.shear_stiffness * motion.sliding * dt;
   const Number bent = magnitude(trial) / state.shear_stiffness;
   const Number moved = state.path + (state.shear_stiffness > 0.0 ? bent : none);
-  const Number u = moved / law.peak_slip;
-  // The angle that roughness adds: -phi_r without slip, 0 at 0.3 peak slips.
-  const Number stress_ratio = law.wall_strength * state.length / force.normal;
-  const Number above = stress_ratio > 1.0 ? stress_ratio : whole;
-  const Number bounded = above < largest_ratio ? above : none + largest_ratio;
-  const Number peak = law.roughness * per_degree * log10_of(bounded);
-  const Number rough = peak * mobilised(u);
-  const Number most = largest_angle - law.residual_angle;
-  const Number limited = rough < most ? rough : most;
-  const Number unmobilised = law.residual_angle * (u * (1.0 / 0.3) - 1.0);
-  const Number angle = u < 0.3 ? unmobilised : limited;
-  const Number total = positive(Number(law.residual_angle + angle));
-  const Number limit = force.normal * tan_of(total) * law.strength_share;
+  const RoughStrength<Number> rough =
+      rough_strength(law, state.length, force.normal, Number(moved / law.peak_slip));
   const Number dashpot = motion.damping * motion.sliding;
-  const Shear<Number> shear = limit_shear(trial, limit, dashpot, state.shear_stiffness);
+  const Shear<Number> shear =
+      limit_shear(trial, rough.limit, dashpot, state.shear_stiffness);
   const Number distance = magnitude(state.slip);
   state.shear = shear.spring;
   force.shear = shear.force;
@@ -117,7 +134,7 @@ template <bool may_start = true, class Number>
   // Asperities lift the joint by half the angle that they add. On the way back to where
   // the slip began, the joint closes in proportion to the distance.
   const Number farther = magnitude(state.slip) - distance;
-  const Number opens = small_tan(Number(0.5 * positive(angle))) * farther;
+  const Number opens = small_tan(Number(0.5 * positive(rough.angle))) * farther;
   const Number closes = state.plastic / distance * farther;
   const Number rise = farther < 0.0 ? closes : opens;
   state.plastic = state.plastic + rise;
