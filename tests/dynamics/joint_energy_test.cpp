@@ -223,5 +223,31 @@ TEST(JointEnergy, OfABrokenHeapHasTheSameBitsWithAnyThreadsAndAfterARestart) {
     }
 }
 
+// Two bonded blocks spin about their common centroid. Their springs hold them together,
+// and do no work.
+TEST(JointEnergy, OfASpinningBodyStays) {
+  constexpr double spin = 10.0, turns = 4.0;
+  for (const bool rigid : {true, false})
+    for (const double stiffness : {0.0, 4e8}) {
+      Scene scene({0.7, {3, -2}});
+      scene.model.settings.rigid = rigid;
+      scene.model.settings.fraction = 0.05;
+      JointLaw law = cohesive();
+      law.cohesion = law.tension = 1e9;
+      law.normal_stiffness = stiffness, law.shear_stiffness = 0.5 * stiffness;
+      use_with_account(scene, law);
+      const int left = scene.box(-1, 0, 1, 1), right = scene.box(0, 0, 1, 1);
+      scene.velocity(left, 0, -0.5 * spin, spin);
+      scene.velocity(right, 0, 0.5 * spin, spin);
+      dynamics::bond_faces(scene.model, 0, 1e-6);
+      scene.run(turns * 2.0 * 3.14159265358979 / spin);
+      expect_closed(scene.model);
+      const EnergyAccount& energy = scene.model.energy;
+      EXPECT_NEAR(energy.kinetic + energy.elastic + energy.strain, energy.start,
+                  1e-3 * energy.start);
+      EXPECT_LE(std::abs(of(scene, EnergyEntry::integration)), 1e-3 * energy.start);
+    }
+}
+
 }  // namespace
 }  // namespace blocks

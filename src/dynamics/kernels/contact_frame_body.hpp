@@ -78,12 +78,15 @@ BLOCKS_INLINE void find_acting(const ContactTests& tests, ContactStates& states,
 /// relative to the high one.
 template <bool rigid> struct Pairs {
   Pack low_x, low_y, high_x, high_y;  ///< centroids
-  Pack vx, vy;  ///< relative velocity at the centroid of the low block
-  /// Gradient of the relative velocity. For rigid blocks only g12 and g21 = -g12 are
-  /// set.
-  Pack g11, g12, g21, g22;
+  Pack vx, vy;              ///< relative velocity at the centroid of the low block
+  Pack g11, g12, g21, g22;  ///< gradient of the relative velocity
 
-  BLOCKS_INLINE Pairs(const BatchPairs& pairs, const BlockState& blocks, int i) {
+  /// Velocities are those of half a step before the positions
+  /// (docs/theory.md#the-velocities-of-a-contact). The arms were turned back then: the
+  /// velocity at an arm r is v + w x (r - w x r dt/2). Since then the blocks have
+  /// turned by half a step, and the relative velocity with them. dt = 0: none of this.
+  BLOCKS_INLINE Pairs(const BatchPairs& pairs, const BlockState& blocks, double dt,
+                      int i) {
     const int *const a = pairs.low + i, *const b = pairs.high + i;
     const Point low = gather_point<2>(blocks.centroid, a);
     const Point high = gather_point<2>(blocks.centroid, b);
@@ -92,23 +95,35 @@ template <bool rigid> struct Pairs {
     const Pack spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
     low_x = low[0], low_y = low[1], high_x = high[0], high_y = high[1];
     const Pack x = low_x - high_x, y = low_y - high_y;
-    vx = va[0] - (vb[0] - spin_b * y), vy = va[1] - (vb[1] + spin_b * x);
+    const Pack inwards_a = 0.5 * dt * (spin_a * spin_a);
+    const Pack inwards_b = 0.5 * dt * (spin_b * spin_b);
+    vx = va[0] - (vb[0] - spin_b * y + inwards_b * x);
+    vy = va[1] - (vb[1] + spin_b * x + inwards_b * y);
+    g11 = g22 = inwards_a - inwards_b;
     g21 = spin_a - spin_b, g12 = -g21;
     if constexpr (!rigid) {
       const double* const rate = blocks.strain_rate;
       const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
       const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
       vx -= b1[0] * x + b1[1] * y, vy -= b2[0] * x + b2[1] * y;
-      g11 = a1[0] - b1[0], g12 += a1[1] - b1[1];
-      g21 += a2[0] - b2[0], g22 = a2[1] - b2[1];
+      g11 += a1[0] - b1[0], g12 += a1[1] - b1[1];
+      g21 += a2[0] - b2[0], g22 += a2[1] - b2[1];
     }
+    turn(0.25 * dt * (spin_a + spin_b));
   }
   /// Returns the relative velocity (14) at an arm from the low block's centroid.
   BLOCKS_INLINE Point velocity(Pack x, Pack y) const {
-    if constexpr (rigid)
-      return {vx + g12 * y, vy + g21 * x};
-    else
-      return {vx + (g11 * x + g12 * y), vy + (g21 * x + g22 * y)};
+    return {vx + (g11 * x + g12 * y), vy + (g21 * x + g22 * y)};
+  }
+
+ private:
+  /// Turns the relative velocity by a small angle.
+  BLOCKS_INLINE void turn(Pack angle) {
+    const auto turn = [&](Pack & x, Pack & y) __attribute__((always_inline)) {
+      const Pack x_before = x;
+      x -= angle * y, y += angle * x_before;
+    };
+    turn(vx, vy), turn(g11, g21), turn(g12, g22);
   }
 };
 
@@ -212,6 +227,19 @@ add_work(BatchWork& sums, int i, Choice acts, double dt,
   };
   each_work(add, sums,
             work_of(step_of(dt, motion, before, after, force, is_hysteretic, energy)));
+}
+/// Adds the work that the forces of a row take from the blocks because the velocities
+/// of the blocks are those of half a step before, `blocks`, and not those of the
+/// springs, `v`. It is an error of the integration.
+template <bool rigid>
+BLOCKS_INLINE void add_work_of_lag(BatchWork& sums, int i, Choice acts, double dt,
+                                   const Pairs<rigid>& blocks, const Frame& at,
+                                   const Point& v, Pack normal, Pack shear) {
+  const Point of = blocks.velocity(at.x - blocks.low_x, at.y - blocks.low_y);
+  const Pack x = of[0] - v[0], y = of[1] - v[1];
+  const Pack closing = x * at.ty - y * at.tx, sliding = x * at.tx + y * at.ty;
+  const Pack work = dt * (normal * closing + shear * sliding);
+  store(sums.integration, i, load(sums.integration, i) + where(acts, work));
 }
 BLOCKS_INLINE void clear_work(BatchWork& sums, int i) {
   each_work(

@@ -19,9 +19,10 @@ BLOCKS_INLINE ContactState<Pack> usual_state(const ContactLaw& law, Pack normal,
 
 /// Steps b. to e. for row s.
 template <bool rigid, bool readings, class Sums>
-BLOCKS_INLINE void act_row(const BatchArrays& batches, int batch, int s,
-                           const Pairs<rigid>& two, const Frame& at, Pack damping,
-                           const ContactLaw& law, int i, Sums& sums, Most& most) {
+BLOCKS_INLINE void act_row(const BatchArrays& batches, const BlockState& blocks,
+                           int batch, int s, const Pairs<rigid>& two, const Frame& at,
+                           Pack damping, const ContactLaw& law, int i, Sums& sums,
+                           Most& most) {
   const ContactStates& row = batches.states[s];
   const Choice acts = choice_of(load(row.acts, i));
   const Bits starts = load(row.starts, i);
@@ -42,7 +43,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int batch, int s,
   else
     apply<false>(law, normal_elastic, shear_elastic, closing, sliding, at.overlap,
                  damping, Pack{}, normal, shear);
-  if (batches.has_account)
+  if (batches.has_account) {
     add_work(
         batches.works[batch], i, acts, law.dt,
         {closing, sliding, at.overlap, damping, where(choice_of(starts), all_of(1.0))},
@@ -51,6 +52,10 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int batch, int s,
         usual_state(law, normal_elastic, shear_elastic), {normal, shear}, Pack{},
         [](const ContactState<Pack>& state)
             __attribute__((always_inline)) { return coulomb_energy(state); });
+    add_work_of_lag(batches.works[batch], i, acts, law.dt,
+                    Pairs<rigid>(batches.pairs[batch], blocks, 0.0, i), at, v, normal,
+                    shear);
+  }
   normal_elastic = where(acts, normal_elastic);
   SpringRow& advanced = batches.advanced[s];
   store(advanced.normal_elastic, i, normal_elastic);
@@ -66,7 +71,7 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
                              const BlockState& blocks, const ContactLaw& law, int i) {
   constexpr bool stresses = readings || !rigid;
   const BatchPairs& pairs = batches.pairs[batch];
-  const Pairs<rigid> two(pairs, blocks, i);
+  const Pairs<rigid> two(pairs, blocks, law.dt, i);
   const Pack damping = load(pairs.damping, i);
   Sums<stresses> sums;
   Most most;
@@ -86,8 +91,8 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
       frames[s - first] = frame_of(sides, batches.tests[s], i);
     }
     for (int s = first; s < last; ++s)
-      act_row<rigid, readings>(batches, batch, s, two, frames[s - first], damping, law,
-                               i, sums, most);
+      act_row<rigid, readings>(batches, blocks, batch, s, two, frames[s - first],
+                               damping, law, i, sums, most);
   }
   store_sums(batches, batch, sums, i);
   return most;

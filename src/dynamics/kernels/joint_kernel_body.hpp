@@ -273,9 +273,13 @@ act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
                                state, force);
   }
   store_state(batches, s, i, acts, state);
-  if (batches.has_account)
+  if (batches.has_account) {
     add_joint_work<kind>(batches, batch, s, i, acts, usual.dt, motion, values, state,
                          force);
+    add_work_of_lag(batches.works[batch], i, acts, usual.dt,
+                    Pairs<rigid>(pairs, blocks, 0.0, i), at, v, force.normal,
+                    force.shear);
+  }
   // The run judges springs by the stiffness of STIFF, so it gets the force that would
   // press in a contact of STIFF as far. FN / k would say too much: a contact that
   // received a spring has more force than its overlap.
@@ -319,7 +323,7 @@ Most act_joint_batch(const BatchArrays& batches, int batch, const BlockState& bl
   if constexpr (find)
     if (is_unsettled(batches, pairs, i, width))
       return {};
-  const Pairs<rigid> two(pairs, blocks, i);
+  const Pairs<rigid> two(pairs, blocks, usual.dt, i);
   const Pack damping = load(pairs.damping, i);
   Sums<readings || !rigid> sums;
   Most most;
