@@ -78,14 +78,16 @@ inline double damp_unbalanced(Blocks& blocks, int b, const Settings& settings,
   const Vec2 a = blocks.force.col(b) / blocks.mass[b] + settings.gravity;
   auto v = blocks.velocity.col(b);
   const double acceleration = std::sqrt(a.x() * a.x() + a.y() * a.y());
-  if (const double speed = std::sqrt(v.x() * v.x() + v.y() * v.y()); speed > 0.0) {
+  if (const double speed = std::sqrt(v.x() * v.x() + v.y() * v.y());
+      speed > slow_motion * alpha_dt * acceleration && speed > 0.0) {
     const double loss = alpha_dt * acceleration / speed;
     v = Vec2(v.x() - loss * v.x(), v.y() - loss * v.y());
     velocity_work = alpha_dt * blocks.mass[b] * acceleration * speed;
   }
   double& spin = blocks.spin[b];
-  if (const double moment = std::abs(blocks.moment[b]), was = spin; was != 0.0) {
-    const double slows = alpha_dt * (moment / blocks.inertia[b]);
+  const double moment = std::abs(blocks.moment[b]), was = spin;
+  if (const double slows = alpha_dt * (moment / blocks.inertia[b]);
+      std::abs(was) > slow_motion * slows && was != 0.0) {
     spin -= was > 0.0 ? slows : -slows;
     spin_work = alpha_dt * moment * std::abs(was);
   }
@@ -94,10 +96,10 @@ inline double damp_unbalanced(Blocks& blocks, int b, const Settings& settings,
   auto rate = blocks.strain_rate.col(b);
   const Symmetric before = {rate[0], rate[1], rate[3]};
   const double force = norm(driving_stress(blocks, b));
-  if (const double speed = norm(before); speed > 0.0) {
-    const double scale = alpha_dt * force / speed;
-    const Symmetric loss = StrainMass(blocks, b).accelerations(
-        {scale * before.xx, scale * before.xy, scale * before.yy});
+  const double speed = norm(before), scale = alpha_dt * force / speed;
+  const Symmetric loss = StrainMass(blocks, b).accelerations(
+      {scale * before.xx, scale * before.xy, scale * before.yy});
+  if (speed > slow_motion * norm(loss) && speed > 0.0) {
     rate[0] -= loss.xx;
     rate[1] -= loss.xy;
     rate[2] = rate[1];

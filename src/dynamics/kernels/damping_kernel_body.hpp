@@ -19,9 +19,9 @@ BLOCKS_INLINE Pack damp_strain(const BlockColumns& blocks, const LocalDamping& d
   const Symmetric rate = symmetric(before);
   const Pack force = root(driving_stress(blocks, stress, b, lanes).square());
   const Pack speed = root(rate.square());
-  const Mask moves = free & (speed > 0.0);
-  const Symmetric loss = StrainMass(blocks, b, lanes)
-                             .accelerations(damping.alpha_dt * force / speed * rate);
+  const StrainMass mass(blocks, b, lanes);
+  const Symmetric loss = mass.accelerations(damping.alpha_dt * force / speed * rate);
+  const Mask moves = free & (speed > slow_motion * root(loss.square())) & (speed > 0.0);
   store_rows(blocks.strain_rate, b, lanes, select(moves, tensor(rate - loss), before));
   const Pack area = load(blocks.area + b, lanes);
   return moves ? damping.alpha_dt * area * force * speed : Pack{};
@@ -39,8 +39,9 @@ BLOCKS_INLINE Pack damp_velocities(const BlockColumns& blocks,
   const Pack acceleration = root(squared_norm(
       force / twice(mass) + everywhere(damping.gravity_x, damping.gravity_y)));
   const Pack speed = root(squared_norm(velocity));
-  const Mask moves = free & (speed > 0.0);
   const Pack slowing = scaled(blocks, acceleration, b, lanes);
+  const Mask moves =
+      free & (speed > slow_motion * damping.alpha_dt * slowing) & (speed > 0.0);
   const Points loss = twice(damping.alpha_dt * slowing / speed);
   const Points slower = {velocity.part[0] - loss.part[0] * velocity.part[0],
                          velocity.part[1] - loss.part[1] * velocity.part[1]};
@@ -51,7 +52,7 @@ BLOCKS_INLINE Pack damp_velocities(const BlockColumns& blocks,
   const Pack turning =
       scaled(blocks, moment / load(blocks.inertia + b, lanes), b, lanes);
   const Pack slows = damping.alpha_dt * turning;
-  const Mask turns = free & (spin != 0.0);
+  const Mask turns = free & (absolute(spin) > slow_motion * slows) & (spin != 0.0);
   store(blocks.spin + b, lanes, turns ? spin - (spin > 0.0 ? slows : -slows) : spin);
   const Pack work = moves ? damping.alpha_dt * mass * acceleration * speed : Pack{};
   return work + (turns ? damping.alpha_dt * moment * absolute(spin) : Pack{});

@@ -24,6 +24,9 @@ struct Moduli {
   const double *c11, *c12;
   const double* twice_shear;  ///< 2 G
 };
+/// A motion that is slower than this part of its loss by local damping in a step has
+/// its direction from rounding, and is not damped.
+inline constexpr double slow_motion = 0x1p-20;
 /// What local damping needs to know of a step (docs/rest.md#local-damping).
 struct LocalDamping {
   double alpha_dt;              ///< [T] alpha times the time step
