@@ -9,6 +9,7 @@
 #include "audit/held_contacts.hpp"
 #include "audit/kept_pairs.hpp"
 #include "audit/make_exact_rule.hpp"
+#include "audit/plane_findings.hpp"
 #include "geometry/overlap.hpp"
 #include "model/compression.hpp"
 
@@ -190,6 +191,11 @@ class Auditor {
 
 }  // namespace
 
-Findings audit(const Moment& moment) { return Auditor(moment).run(); }
+Findings audit(const Moment& moment) {
+  Findings found = Auditor(moment).run();
+  found.wrong_at_planes = plane_faults(moment);
+  found.behind = deepest_behind_plane(moment);
+  return found;
+}
 
 }  // namespace blocks::audit

@@ -43,12 +43,27 @@ struct DeepContact {
   double excess() const { return overlap - common; }
 };
 
+/// A corner whose contact with a symmetry plane is wrong.
+struct PlaneFault {
+  int plane = 0, corner = 0;
+  bool acts = false;  ///< false: it is behind the plane, but does not act
+};
+
+/// A corner behind a symmetry plane.
+struct BehindPlane {
+  int plane = 0, corner = 0;
+  double depth = 0.0;    ///< [L]
+  double pressed = 0.0;  ///< [L] compression FN / Kn of its spring
+};
+
 /// The extent and the findings of one audit.
 struct Findings {
   long pairs = 0;                 ///< pairs of blocks that the list must contain
   long acting = 0;                ///< acting contacts
   std::vector<BlockPair> missed;  ///< pairs that the list lacks
   std::vector<WrongPair> wrong;
+  std::vector<PlaneFault> wrong_at_planes;
+  BehindPlane behind;  ///< the deepest corner behind a plane; depth 0: there is none
   long late = 0;  ///< pairs whose kept decision was exact when it was made, but not now
   std::vector<ExcessOverlap> excess;  ///< the worst first
   /// The worst of all pairs, even if it is no finding. If there is none, excess() is 0.
@@ -59,7 +74,9 @@ struct Findings {
   DeepContact deepest;
 
   /// Returns whether the list of near pairs is complete and all decisions are exact.
-  bool sound() const { return missed.empty() && wrong.empty(); }
+  bool sound() const {
+    return missed.empty() && wrong.empty() && wrong_at_planes.empty();
+  }
 };
 
 /// A contact that the law of a joint holds, so that it acts outside the contact rule
@@ -91,6 +108,7 @@ struct Moment {
   std::vector<JointState> joint_states = {};
   /// The decisions that the step made or kept, in the numbers of the steps.
   KeptDecisions kept = {};
+  std::vector<PlaneContact> plane_contacts = {};  ///< after the step
 };
 
 /// Audits all pairs of blocks that are near each other.

@@ -56,6 +56,13 @@ std::string tell(const Blocks& blocks, const WrongPair& wrong) {
       contacts_in_words(blocks, wrong.exact));
 }
 
+std::string tell(const Blocks& blocks, const PlaneFault& fault) {
+  return fmt::format("{} is {} symmetry plane {}, but {}",
+                     name_of(blocks, fault.corner),
+                     fault.acts ? "not behind" : "behind", fault.plane + 1,
+                     fault.acts ? "acts on it" : "does not act on it");
+}
+
 std::string tell(const ExcessOverlap& excess) {
   return fmt::format("blocks {} and {} overlap by {:.6g} near ({:.6g}, {:.6g}), but "
                      "their deepest contact is only {:.6g} deep (springs compressed by "

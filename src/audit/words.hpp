@@ -33,6 +33,7 @@ std::vector<std::string> in_lines(const std::string& text, std::size_t indent,
 /// Each of these describes a finding in one line.
 std::string tell(const BlockPair& missed);
 std::string tell(const Blocks& blocks, const WrongPair& wrong);
+std::string tell(const Blocks& blocks, const PlaneFault& fault);
 std::string tell(const ExcessOverlap& excess);
 std::string tell(const Blocks& blocks, const DeepContact& deep);
 

@@ -31,6 +31,15 @@ struct AuditedContact {
   double excess() const { return overlap - common; }
 };
 
+/// A corner behind a symmetry plane, at the audit where it was deepest.
+struct AuditedPlane {
+  int plane = 0, block = 0, corner = 0;  ///< from 0, corner in that block
+  long step = 0;
+  double time = 0.0;     ///< [T]
+  double depth = 0.0;    ///< [L]
+  double pressed = 0.0;  ///< [L] compression of its spring, FN / Kn
+};
+
 /// Totals over all audits of a run.
 struct AuditTotals {
   long every = 0;    ///< steps between audits
@@ -39,12 +48,14 @@ struct AuditTotals {
   long acting = 0;   ///< active contacts
   long missed = 0;   ///< pairs of blocks missing from the list
   long wrong = 0;    ///< pairs of blocks whose contacts differed from the exact ones
-  long late = 0;     ///< pairs of blocks whose kept decision is no longer the exact one
+  long wrong_at_planes = 0;  ///< corners that wrongly act on a plane, or do not
+  long late = 0;  ///< pairs of blocks whose kept decision is no longer the exact one
   AuditedOverlap worst;  ///< of all pairs, even if no finding; excess() 0: none
   std::vector<AuditedOverlap> excess;  ///< findings, one per pair, the worst first
   AuditedContact deepest;              ///< even if no finding; excess() 0: none
   std::vector<AuditedContact> deep;    ///< findings, one per contact
-  std::vector<std::string> faults;     ///< the missed and the wrong pairs, in words
+  AuditedPlane behind;                 ///< depth 0: there is none
+  std::vector<std::string> faults;  ///< wrong pairs, missed pairs and planes, in words
 };
 
 }  // namespace blocks

@@ -128,6 +128,13 @@ Json audited(const AuditedContact& contact) {
           {"spring_pressed_in", contact.pressed}};
 }
 
+Json audited(const AuditedPlane& corner) {
+  return {
+      {"plane", corner.plane + 1}, {"corner", {corner.block + 1, corner.corner + 1}},
+      {"step", corner.step},       {"time", corner.time},
+      {"depth", corner.depth},     {"spring_pressed_in", corner.pressed}};
+}
+
 /// The ten worst findings.
 template <class Found> Json worst_of(std::vector<Found> found) {
   std::sort(found.begin(), found.end(),
@@ -151,12 +158,15 @@ Json audit(const std::optional<AuditTotals>& totals) {
       {"acting", totals->acting},
       {"missed_pairs", totals->missed},
       {"wrong_decisions", totals->wrong},
+      {"wrong_at_planes", totals->wrong_at_planes},
       {"late_decisions", totals->late},
       {"excess_pairs", totals->excess.size()},
       {"worst_excess", totals->worst.excess() > 0.0 ? audited(totals->worst) : Json()},
       {"deep_contacts", totals->deep.size()},
       {"worst_deep_contact",
        totals->deepest.excess() > 0.0 ? audited(totals->deepest) : Json()},
+      {"deepest_behind_plane",
+       totals->behind.depth > 0.0 ? audited(totals->behind) : Json()},
       {"faults", totals->faults},
       {"excess_overlaps", worst_of(totals->excess)},
       {"deepest_contacts", worst_of(totals->deep)}};

@@ -28,9 +28,10 @@ void AuditWatch::before(const Model& model) {
 
 AuditWatch::Verdict AuditWatch::after(const Model& model,
                                       std::vector<audit::BlockPair> listed) {
-  const audit::Moment moment{blocks_, model.contacts,     model.settings,
-                             left_,   std::move(listed),  model.order,
-                             held_,   model.joint_states, model.kept};
+  const audit::Moment moment{
+      blocks_,           model.contacts,      model.settings, left_,
+      std::move(listed), model.order,         held_,          model.joint_states,
+      model.kept,        model.plane_contacts};
   const audit::Findings found = audit::audit(moment);
   const long step = model.steps;
   const double time = model.time - model.time_step.dt;  // time of the decision
@@ -38,14 +39,20 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
   totals_.pairs += found.pairs, totals_.acting += found.acting;
   totals_.missed += static_cast<long>(found.missed.size());
   totals_.wrong += static_cast<long>(found.wrong.size());
+  totals_.wrong_at_planes += static_cast<long>(found.wrong_at_planes.size());
   totals_.late += found.late;
 
   Verdict verdict;
-  const auto fault = [&](const std::string& text, int first, int second) {
+  const auto report = [&](const std::string& text) {
     if (verdict.faults.size() == most_faults)
-      return;
+      return false;
     verdict.faults.push_back(
         fmt::format("at time {:g} (step {}) audit: {}", time, step, text));
+    return true;
+  };
+  const auto fault = [&](const std::string& text, int first, int second) {
+    if (!report(text))
+      return;
     const audit::ExactPairRule rule =
         audit::make_exact_rule(blocks_, 0.0, moment.order);
     for (const std::string& line :
@@ -56,6 +63,14 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
     fault(audit::tell(missed), missed.first, missed.second);
   for (const audit::WrongPair& wrong : found.wrong)
     fault(audit::tell(blocks_, wrong), wrong.first, wrong.second);
+  for (const audit::PlaneFault& wrong : found.wrong_at_planes)
+    report(audit::tell(blocks_, wrong));
+  if (const audit::BehindPlane& now = found.behind; now.depth > totals_.behind.depth) {
+    const int b = blocks_.corner_block[now.corner];
+    totals_.behind = {now.plane,  b,    now.corner - blocks_.first_corner[b],
+                      step,       time, now.depth,
+                      now.pressed};
+  }
   totals_.faults.insert(totals_.faults.end(), verdict.faults.begin(),
                         verdict.faults.end());
 
@@ -115,11 +130,17 @@ std::string AuditWatch::closing() const {
       "decisions: {}; kept decisions that would differ now: {}; pairs of blocks that "
       "overlap "
       "more than their contacts explain: {} (worst {:.3g}); contacts deeper than the "
-      "overlap of their blocks: {} (worst {:.3g})",
+      "overlap of their blocks: {} (worst {:.3g}){}",
       counted(totals_.every, "step"), counted(totals_.moments, "audit"),
       counted(totals_.pairs, "pair"), counted(totals_.acting, "acting contact"),
       totals_.missed, totals_.wrong, totals_.late, totals_.excess.size(),
-      totals_.worst.excess(), totals_.deep.size(), totals_.deepest.excess());
+      totals_.worst.excess(), totals_.deep.size(), totals_.deepest.excess(),
+      totals_.behind.depth > 0.0 || totals_.wrong_at_planes > 0
+          ? fmt::format(
+                "; wrong contacts with symmetry planes: {}; deepest corner behind "
+                "one: {:.3g}",
+                totals_.wrong_at_planes, totals_.behind.depth)
+          : "");
 }
 
 }  // namespace blocks::run

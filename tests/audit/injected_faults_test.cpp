@@ -181,5 +181,44 @@ TEST(InjectedContact, IsReportedIfDeeperThanTheOverlap) {
   }
 }
 
+// Boxes lean on a slanted symmetry plane. All corners behind it must act, and no other.
+TEST(InjectedFaultAtAPlane, IsReported) {
+  Scene scene({0.3, {5, 2}});
+  scene.model.settings.damping = 0.3;
+  scene.plane({0, 9}, {0, 0});
+  scene.box(-1, -1, 8, 1, true);
+  for (int row = 0; row < 3; ++row)
+    scene.box(0.01, row, 1, 1);
+  scene.gravity(-3, -10);
+  scene.run(1.0);
+  AuditedRun run(scene.model);
+  run.step();
+  const Findings sound = run.audit();
+  EXPECT_TRUE(sound.sound());
+  EXPECT_GT(sound.behind.depth, 0.0);
+  std::vector<PlaneContact>& contacts = scene.model.plane_contacts;
+  const auto acting = std::find_if(contacts.begin(), contacts.end(),
+                                   [](const PlaneContact& one) { return one.active; });
+  ASSERT_NE(acting, contacts.end());
+  acting->active = false;
+  Findings found = run.audit();
+  EXPECT_FALSE(found.sound());
+  ASSERT_EQ(found.wrong_at_planes.size(), 1U);
+  EXPECT_EQ(found.wrong_at_planes[0].corner, acting->corner);
+  EXPECT_FALSE(found.wrong_at_planes[0].acts);
+  acting->active = true;
+  // A corner in front of the plane acts.
+  for (int c = 0; c < scene.model.blocks.corners(); ++c)
+    if (std::none_of(contacts.begin(), contacts.end(),
+                     [&](const PlaneContact& one) { return one.corner == c; }) &&
+        scene.model.blocks.is_free(scene.model.blocks.corner_block[c])) {
+      contacts.push_back({.plane = 0, .corner = c, .active = true});
+      break;
+    }
+  found = run.audit();
+  ASSERT_EQ(found.wrong_at_planes.size(), 1U);
+  EXPECT_TRUE(found.wrong_at_planes[0].acts);
+}
+
 }  // namespace
 }  // namespace blocks
