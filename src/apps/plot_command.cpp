@@ -385,6 +385,7 @@ int plot(PlotOptions options) {
       results.show_in(post::parse_units(options.units));
     options.figure.units = results.units();
     options.figure.material_names = results.material_names();
+    options.figure.planes = results.planes();
     options.figure.material_colours = material_colours(options.materials, results);
     if (options.joints) {
       const long shown = options.times.empty() ? 0 : results.at(options.times.front());

@@ -96,6 +96,7 @@ void ResultsWriter::File::append(const Model& model) {
     data = ResultsFrames::create(groups, model, unbalanced);
     write_names(groups.own.get(), model.settings);
   }
+  write_planes(groups.own.get(), model.settings.planes);
   data->put(frames, model);
   history->flush();
   publish(frames + 1);

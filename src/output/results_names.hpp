@@ -1,9 +1,11 @@
-// The names that a results file keeps of its deck: those of the units (UNITS) and of
-// the materials (MATERIAL). A deck that names nothing adds nothing to the file.
+// What a results file keeps of its deck: the names of the units (UNITS) and of the
+// materials (MATERIAL), and the symmetry planes (SPLANE). A deck without them adds
+// nothing to the file.
 #pragma once
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "model/settings.hpp"
 #include "output/hdf5_handle.hpp"
@@ -13,6 +15,7 @@ namespace blocks::output {
 struct ResultsNames {
   Units units;
   std::map<int, std::string> materials;  ///< by number; only those with a name
+  std::vector<Plane> planes;
 };
 
 /// Writes the names to the group /BLOCKS, if there are any: units as a text of three
@@ -20,7 +23,11 @@ struct ResultsNames {
 /// each.
 void write_names(hid_t own, const Settings& settings);
 
-/// Reads them. Throws hdf5::Failure if they have another form.
+/// Adds the planes that the group does not have yet: rows x1, y1, x2, y2 of the column
+/// planes.
+void write_planes(hid_t own, const std::vector<Plane>& planes);
+
+/// Reads all of it. Throws hdf5::Failure if they have another form.
 ResultsNames read_names(hid_t own);
 
 }  // namespace blocks::output

@@ -47,6 +47,7 @@ struct FigureOptions {
   std::optional<Units> units;  ///< empty: [L], [T]
   std::vector<Mark> marks;     ///< later marks are drawn on top
   std::vector<MarkName> mark_names;  ///< legend of the marks
+  std::vector<PlaneLine> planes;     ///< symmetry planes
   std::optional<std::string> title;  ///< empty text: no title; none: of the run
   std::vector<double> asked_times;   ///< of the pictures of a sheet; may be empty
   std::string subtitle;  ///< replaces time and step, or the counts of a sheet

@@ -79,6 +79,8 @@ class Legend {
       line_swatch(crack_colour, 2.6, "crack");
     if (scales_.fixed)
       swatch({0.9, 0.9, 0.9}, true, "fixed");
+    if (!options_.planes.empty())
+      plane();
     end_cells();
     if (!options_.arrows.empty())
       arrow();
@@ -123,6 +125,11 @@ class Legend {
     pen_.stroke(width, colour);
     pen_.dashes({});
     end_entry(name);
+  }
+  void plane() {
+    const double x = place_.x + across_;
+    draw_plane(pen_, {x, y_ + 5}, {x + 20, y_ + 5});
+    end_entry("plane");
   }
   /// Writes the name of an entry beside its symbol, and goes to the next entry.
   void end_entry(const std::string& name) {
@@ -366,8 +373,8 @@ double legend_height(const FigureScales& scales, const FigureOptions& options) {
   constexpr double arrow = 62, mark = 42;
   return (by_material(options) ? materials_height(scales.materials.size()) : 0) +
          static_cast<double>(joint_entries(scales)) * line + (scales.fixed ? line : 0) +
-         (scales.cracks ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
-         bars(scales, options) * least_bar +
+         (scales.cracks ? line : 0) + (options.planes.empty() ? 0 : line) +
+         (options.arrows.empty() ? 0 : arrow) + bars(scales, options) * least_bar +
          mark * static_cast<double>(options.mark_names.size());
 }
 
@@ -376,7 +383,7 @@ double legend_height_below(const FigureScales& scales, const FigureOptions& opti
   const std::size_t materials = by_material(options) ? scales.materials.size() : 0;
   const std::size_t cells = (materials <= few_materials ? materials : 0) +
                             (scales.fixed ? 1 : 0) + (scales.cracks ? 1 : 0) +
-                            joint_entries(scales);
+                            (options.planes.empty() ? 0 : 1) + joint_entries(scales);
   const double in_row = std::max(1.0, std::floor(width / cell));
   return (materials > few_materials ? many_materials_height(materials, width) : 0) +
          std::ceil(static_cast<double>(cells) / in_row) * cell_line +

@@ -132,6 +132,13 @@ const std::map<int, std::string>& ResultsReader::material_names() const {
   return file_->names.materials;
 }
 
+std::vector<PlaneLine> ResultsReader::planes() const {
+  std::vector<PlaneLine> planes;
+  for (const auto& [a, b] : file_->names.planes)
+    planes.push_back({file_->scale.length * a, file_->scale.length * b});
+  return planes;
+}
+
 const std::optional<Units>& ResultsReader::units() const { return file_->units; }
 
 void ResultsReader::show_in(const Units& units) {

@@ -67,6 +67,11 @@ struct RecordedHistory {
   Eigen::MatrixXd values;               ///< (q, rows)
 };
 
+/// A symmetry plane through a and b; the blocks are on its left.
+struct PlaneLine {
+  Eigen::Vector2d a, b;  ///< [L]
+};
+
 class ResultsReader {
  public:
   /// Opens the file. Throws std::runtime_error that names the file and the error.
@@ -78,6 +83,8 @@ class ResultsReader {
   const std::string& path() const;
   /// Returns the names of the materials that have one, by number (MATERIAL card).
   const std::map<int, std::string>& material_names() const;
+  /// Returns the symmetry planes that the run has had so far.
+  std::vector<PlaneLine> planes() const;
   /// Returns the units of all times and values: those of the deck (UNITS card) or of
   /// show_in(), if there are any.
   const std::optional<Units>& units() const;

@@ -64,6 +64,8 @@ class SceneDrawing {
     }
     if (options_.mirror)
       centre_line();
+    else
+      planes();
     marks();
     cairo_restore(cairo_);
   }
@@ -246,6 +248,19 @@ class SceneDrawing {
     }
   }
 
+  void planes() {
+    const double reach = axes_.width + axes_.height;
+    for (const PlaneLine& plane : options_.planes) {
+      const Eigen::Vector2d middle(axes_.left + 0.5 * axes_.width,
+                                   axes_.top + 0.5 * axes_.height);
+      const Eigen::Vector2d a(axes_.x(plane.a.x()), axes_.y(plane.a.y()));
+      const Eigen::Vector2d b(axes_.x(plane.b.x()), axes_.y(plane.b.y()));
+      const Eigen::Vector2d along = (b - a).normalized();
+      const Eigen::Vector2d nearest = a + along.dot(middle - a) * along;
+      draw_plane(pen_, nearest - reach * along, nearest + reach * along);
+    }
+  }
+
   void centre_line() {
     pen_.dashes({14, 4, 3, 4});
     cairo_move_to(cairo_, axes_.x(options_.mirror_x), axes_.top);
@@ -294,6 +309,25 @@ void hatch(Pen& pen, const Colour& ground) {
   cairo_restore(cairo);
   cairo_append_path(cairo, outline);
   cairo_path_destroy(outline);
+}
+
+void draw_plane(Pen& pen, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  constexpr double gap = 9.0, stroke = 6.0;
+  cairo_t* const cairo = pen.cairo();
+  const double length = (to - from).norm();
+  const Eigen::Vector2d along = (to - from) / length;
+  // On a page, y points downwards.
+  const Eigen::Vector2d slanted =
+      stroke * (Eigen::Vector2d(-along.y(), along.x()) - along);
+  cairo_move_to(cairo, from.x(), from.y());
+  cairo_line_to(cairo, to.x(), to.y());
+  pen.stroke(1.4, ink);
+  for (double at = gap; at <= length; at += gap) {
+    const Eigen::Vector2d foot = from + at * along;
+    cairo_move_to(cairo, foot.x(), foot.y());
+    cairo_rel_line_to(cairo, slanted.x(), slanted.y());
+  }
+  pen.stroke(0.8, ink);
 }
 
 Colour colour_of_material(int material, const FigureOptions& options) {

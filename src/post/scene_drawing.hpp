@@ -14,6 +14,10 @@ void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
 /// on a dark background.
 void hatch(Pen& pen, const Colour& ground);
 
+/// Draws a symmetry plane from one point of the page to another, with short strokes on
+/// the right: the blocks are on the left.
+void draw_plane(Pen& pen, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+
 Colour colour_of_material(int material, const FigureOptions& options);
 
 }  // namespace blocks::post

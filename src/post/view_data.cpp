@@ -233,6 +233,8 @@ class Packer {
                  {"arrays", store.notes()}};
     if (const std::vector<int> joints = shapes_.joint_ids(); !joints.empty())
       json["joints"] = joints;
+    for (const auto& [a, b] : results_.planes())
+      json["planes"].push_back({a.x(), a.y(), b.x(), b.y()});
     if (!tracker_.cracks().empty()) {
       json["cracks"] = cracks();
       json["crack_counts"] = crack_counts_;

@@ -233,7 +233,7 @@ def check_results(source, program):
     with tempfile.TemporaryDirectory() as folder:
         deck = (source / "decks/stack/stack.deck").read_text()
         assert "\nMOTION" in deck
-        Path(folder, "stack.deck").write_text(deck.replace("\nMOTION", "\nHISTORY, 0.01, ke, y:13, unbalanced_ratio\nMOTION", 1))
+        Path(folder, "stack.deck").write_text(deck.replace("\nMOTION", "\nSPLANE, -99, 1, -99, 0\nHISTORY, 0.01, ke, y:13, unbalanced_ratio\nMOTION", 1))
         subprocess.run([program, "run", "stack.deck"], cwd=folder, check=True, capture_output=True)
         with h5py.File(Path(folder, "stack.vtkhdf")) as file:
             frames = file["VTKHDF/Steps"].attrs["NSteps"]

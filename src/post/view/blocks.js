@@ -71,7 +71,8 @@ function draw_fine(f, visible, halves) {
 /// Draws what is on top of blocks and forces.
 function draw_marks(f, visible, halves) {
   if (state.original) draw_original();
-  if (state.mirror) draw_plane();
+  if (state.mirror) draw_mirror();
+  else (meta.planes ?? []).forEach(draw_plane);
   if (state.labels) draw_labels(f, visible);
   state.picked.forEach((block, i) => exists(block, f) && draw_outline(pen, block, halves, mark_colour(i), 3));
   draw_picked_side(f, halves);
@@ -92,7 +93,27 @@ function draw_outline(its_pen, block, halves, colour, width) {
   pen = own;
 }
 
-function draw_plane() {
+/// Draws a symmetry plane, with short strokes on the right: the blocks are on the left.
+function draw_plane([ax, ay, bx, by]) {
+  const [px, py] = to_screen(ax, ay), [qx, qy] = to_screen(bx, by), length = Math.hypot(qx - px, qy - py);
+  const [tx, ty] = [(qx - px) / length, (qy - py) / length];
+  const half = model.clientWidth + model.clientHeight;
+  const middle = tx * (model.clientWidth / 2 - px) + ty * (model.clientHeight / 2 - py);
+  const at = (s) => [px + tx * (middle + s), py + ty * (middle + s)];
+  pen.save();
+  pen.strokeStyle = style("--ink"); pen.lineWidth = 1.4;
+  pen.beginPath(); pen.moveTo(...at(-half)); pen.lineTo(...at(half)); pen.stroke();
+  pen.lineWidth = 0.8;
+  pen.beginPath();
+  for (let s = -half; s < half; s += 9) {
+    const [x, y] = at(s);
+    pen.moveTo(x, y); pen.lineTo(x - 6 * (tx + ty), y + 6 * (tx - ty));
+  }
+  pen.stroke();
+  pen.restore();
+}
+
+function draw_mirror() {
   const [px] = to_screen(meta.mirror, 0);
   pen.save();
   pen.setLineDash([14, 4, 3, 4]);
