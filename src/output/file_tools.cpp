@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace blocks::output {
@@ -94,16 +96,37 @@ void expect_no_link(const std::string& folder) {
     throw FileError(fmt::format("cannot write to {}: it is a link", folder));
 }
 
-std::string set_aside(const std::string& path) {
-  const auto is_there = [](const std::string& file) {
-    std::error_code ignored;
-    return std::filesystem::exists(std::filesystem::symlink_status(file, ignored));
-  };
-  if (!is_there(path))
-    return {};
+namespace {
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+}
+
+/// Returns the first of .bak, .bak2, ... that is free.
+std::string free_ending(const std::string& path) {
   std::string ending = ".bak";
   for (int number = 2; is_there(path + ending); ++number)
     ending = fmt::format(".bak{}", number);
+  return ending;
+}
+
+bool have_same_content(const std::string& a, const std::string& b) {
+  std::error_code fault;
+  if (std::filesystem::file_size(a, fault) != std::filesystem::file_size(b, fault) ||
+      fault)
+    return false;
+  std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
+  return std::equal(std::istreambuf_iterator<char>(one), {},
+                    std::istreambuf_iterator<char>(other), {});
+}
+
+}  // namespace
+
+std::string set_aside(const std::string& path) {
+  if (!is_there(path))
+    return {};
+  const std::string ending = free_ending(path);
   move_file(path, path + ending);
   return ending;
 }
@@ -152,12 +175,10 @@ void TemporaryFile::take_name() {
 }
 
 void TemporaryFile::take_name_keeping_older(const std::string& aside) {
-  std::error_code ignored;
-  const bool again =
-      aside.empty() &&
-      std::filesystem::exists(std::filesystem::symlink_status(name_ + ".bak", ignored));
-  const std::string older = name_ + (!aside.empty() ? aside : again ? ".bak2" : ".bak");
   expect_replaceable(name_);
+  if (aside.empty() && is_there(name_) && have_same_content(name_, path_))
+    return take_name();
+  const std::string older = name_ + (aside.empty() ? free_ending(name_) : aside);
   expect_replaceable(older);
   // There may be none, or another program may set it aside at this moment.
   if (std::rename(name_.c_str(), older.c_str()) != 0 && errno != ENOENT)

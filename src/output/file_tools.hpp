@@ -61,9 +61,9 @@ class TemporaryFile {
   const std::string& path() const { return path_; }
   /// Renames the file to its name, replacing an existing file. Throws FileError.
   void take_name();
-  /// The same, but an existing file gets the ending `aside` first. By default it is
-  /// .bak, or .bak2 if there is a .bak: the oldest file, which may not be ours, stays.
-  /// Throws FileError.
+  /// The same, but an existing file gets the ending `aside` first. By default it is the
+  /// first of .bak, .bak2, ... that is free, so nothing is lost; a file with the same
+  /// content is replaced. Throws FileError.
   void take_name_keeping_older(const std::string& aside = {});
 
  private:
@@ -73,7 +73,7 @@ class TemporaryFile {
 /// Writes a file all at once: it has the old content or the new one at any moment.
 /// Throws FileError.
 void replace_file(const std::string& path, const std::string& content);
-/// The same, but an older file is kept as PATH.bak.
+/// The same, but an older file with other content is kept as PATH.bak, PATH.bak2, ...
 void replace_file_keeping_older(const std::string& path, const std::string& content);
 
 /// Waits until the bytes of a file, or the entries of its folder, are on disk. Throws

@@ -43,9 +43,10 @@ struct FirstPositions {
 class ResultsWriter {
  public:
   /// Creates the file as PATH.tmp. After the first frame it is renamed to PATH, and an
-  /// existing file is renamed to PATH + `aside`.
+  /// existing file is renamed to PATH + `aside`; by default to the first of PATH.bak,
+  /// PATH.bak2, ... that is free.
   ResultsWriter(const std::string& path, const RunIdentity& identity,
-                std::string aside = ".bak");
+                std::string aside = {});
   /// Opens an existing file, keeps its first `frames` frames and the first `samples`
   /// samples of its histories, and continues after them.
   static ResultsWriter reopen(const std::string& path, long frames, long samples = 0);

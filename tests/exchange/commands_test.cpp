@@ -80,11 +80,16 @@ TEST(Import, KeepsOlderFiles) {
   EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
   EXPECT_EQ(slurp(folder / "s.mesh.txt.bak"), "mine\n");
   EXPECT_EQ(slurp(folder / "s.deck.bak"), "mine too\n");
-  // The oldest file stays, however often the program writes.
-  for (int i = 0; i < 2; ++i)
-    EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
+  // Nothing is lost, however often the program writes, and nothing is kept twice.
+  for (const char* text : {"mine, too\n", "mine again\n"}) {
+    folder.write("s.mesh.txt", text);
+    for (int i = 0; i < 2; ++i)
+      EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
+  }
   EXPECT_EQ(slurp(folder / "s.mesh.txt.bak"), "mine\n");
-  EXPECT_EQ(slurp(folder / "s.mesh.txt.bak2"), slurp(folder / "s.mesh.txt"));
+  EXPECT_EQ(slurp(folder / "s.mesh.txt.bak2"), "mine, too\n");
+  EXPECT_EQ(slurp(folder / "s.mesh.txt.bak3"), "mine again\n");
+  EXPECT_FALSE(folder.holds("s.mesh.txt.bak4"));
 }
 
 TEST(Import, DoesNotOverwriteItsInput) {

@@ -284,8 +284,8 @@ TEST(Results, HaveTheActiveContacts) {
     ResultsWriter writer(path, identity);
     writer.write(model);
     move_on(model);
-    model.plane_contacts.active[0] = 1;
-    model.plane_contacts.normal_force[0] = 2.5;
+    model.plane_contacts[0].active = true;
+    model.plane_contacts[0].normal_force = 2.5;
     writer.write(model);
   }
   const hdf5::Handle file = hdf5::open_file(path, false);
@@ -321,7 +321,8 @@ TEST(Results, KeepAnOlderFileAsBak) {
   }
   EXPECT_FALSE(std::filesystem::exists(path + ".tmp"));
   ResultsWriter(path, identity).write(samples::two_blocks());
-  EXPECT_EQ(samples::contents(path + ".bak"), "older");
+  EXPECT_EQ(samples::contents(path + ".bak"), "oldest");
+  EXPECT_EQ(samples::contents(path + ".bak2"), "older");
   EXPECT_EQ(ResultsReader(path).frames(), 1);
 }
 

@@ -74,6 +74,8 @@ TEST_F(ExportTimes, WritesTheBitsOfAllNumbersToCsv) {
 }
 
 TEST_F(ExportTimes, KeepsOneOlderVersionOfItsFiles) {
+  for (const char* name : {"a.pvd", "a_contacts.pvd"})
+    folder_.write(name, "mine");
   for (int i = 0; i < 3; ++i)
     ASSERT_EQ(run("-o a.pvd").code, 0);
   for (const char* name : {"a.pvd", "a.pvd.bak", "a_contacts.pvd.bak",

@@ -208,13 +208,15 @@ TEST(History, WritesFiguresOfSeveralRuns) {
 TEST(History, KeepsOlderFigures) {
   const TemporaryFolder folder;
   run_text(folder, "hit", collision);
+  for (const char* name : {"a.svg", "a.png", "a.csv"})
+    folder.write(name, "mine");
   for (int i = 0; i < 2; ++i) {
     const Outcome figure =
         blocks("history hit.vtkhdf -q speed:1,x:2 -o a.svg,a.png,a.csv", folder.path());
     ASSERT_EQ(figure.code, 0) << figure.err;
   }
   for (const char* name : {"a.svg.bak", "a.png.bak", "a.csv.bak"})
-    EXPECT_TRUE(folder.holds(name)) << name;
+    EXPECT_EQ(slurp(folder / name), "mine") << name;
   EXPECT_FALSE(folder.holds("a.svg.tmp"));
 }
 

@@ -178,9 +178,9 @@ class Simulation {
 
   /// Appends the state as a frame to the results file `path` (.vtkhdf), which `blocks
   /// plot`, ParaView and h5py can read. The first call with a path creates the file and
-  /// renames an existing one to `path`.bak. If the state is already the last frame,
-  /// nothing is written. After cards() or set_velocity() there may be two frames with
-  /// the same time.
+  /// renames an existing one to `path`.bak, `path`.bak2, ... If the state is already
+  /// the last frame, nothing is written. After cards() or set_velocity() there may be
+  /// two frames with the same time.
   ///
   /// Throws std::runtime_error if the file cannot be written, is a folder, device or
   /// FIFO, or is in use by another Simulation of this program.

@@ -84,7 +84,7 @@ class Assembly(Selectors):
         """Writes the blocks as `blocks export` does for a deck, a GeoJSON feature for each.
 
         Blocks have the numbers of the cards, from 1. Removed blocks are left out. An older file with this path
-        is kept as PATH.bak.
+        is kept as PATH.bak, PATH.bak2, ...
 
         Args:
             path: of the file; None: return the text.

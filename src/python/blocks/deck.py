@@ -88,7 +88,7 @@ class Deck:
     def write(self, path: str | os.PathLike) -> Path:
         """Writes the deck to a file, and returns its path.
 
-        An older file with this path is kept as PATH.bak, unless it has the same text.
+        An older file with this path is kept as PATH.bak, PATH.bak2, ..., unless it has the same text.
 
         Raises:
             FileError: if the file cannot be written, or the path is a link, a folder or a device.

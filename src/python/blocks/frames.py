@@ -395,7 +395,7 @@ class Frame:
         """Writes the blocks as `blocks export` does, a GeoJSON feature for each (docs/exchange.md).
 
         Blocks have the numbers of the cards, from 1. Removed blocks are left out. An older file with this path
-        is kept as PATH.bak.
+        is kept as PATH.bak, PATH.bak2, ...
 
         Args:
             path: of the file; None: return the text.

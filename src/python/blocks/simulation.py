@@ -246,7 +246,7 @@ class Simulation(_blocks.Simulation, Selectors):
     def write_frame(self, path: str | os.PathLike) -> None:
         """Appends the state to a results file (.vtkhdf). The first call makes a new file.
 
-        An existing file is renamed to `path`.bak.
+        An existing file is renamed to the first of `path`.bak, `path`.bak2, ... that is free.
 
         Raises:
             FileError: if the file cannot be written, or another simulation writes to it.
