@@ -1,6 +1,7 @@
 #include "deck/parser.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <map>
@@ -18,6 +19,14 @@ namespace blocks::deck {
 namespace {
 
 constexpr std::size_t title_length = 80;
+
+/// Returns whether a word begins a comment of FORTRAN: C, CCC or C-----.
+bool is_comment_of_fortran(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("Cc");
+  return word.find_first_of("Cc") == 0 &&
+         (end == std::string::npos ||
+          std::isalnum(static_cast<unsigned char>(word[end])) == 0);
+}
 
 class Parser {
  public:
@@ -156,7 +165,7 @@ void Parser::unknown(const Line& line) {
   std::string hint = "'blocks cards' lists all cards";
   if (spec != nullptr) {
     hint = fmt::format("did you mean {}?", spec->name);
-  } else if (word.text.find_first_not_of("Cc") == std::string::npos) {
+  } else if (is_comment_of_fortran(word.text)) {
     hint = comment_hint;
   } else if (capitals(word.text) == "RANDOM") {
     hint = "RANDOM is the last value of the LAYER card";
@@ -247,9 +256,11 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
   if (!data.empty() && spec.follow_on.empty()) {
     // After a faulty card the lines may be part of the same mistake.
     if (values.ok) {
-      diagnostics_->error(data.front().fields.front().where, std::string(spec.name),
+      const Field& first = data.front().fields.front();
+      diagnostics_->error(first.where, std::string(spec.name),
                           "unexpected line of values after this card",
-                          "syntax: " + spec.syntax());
+                          first.text.starts_with('*') ? comment_hint
+                                                      : "syntax: " + spec.syntax());
     }
     built.reset();
   } else if (spec.name == "START" && !data.empty()) {
@@ -272,7 +283,11 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
       built.reset();
     }
   }
-  if (built && in_place) {
+  // What a guess does to blocks matters for later cards. Nothing else may follow from
+  // it.
+  const bool only_guessed = misspelt && spec.phase == Phase::problem &&
+                            most_blocks(spec, first_number(line)) == 0;
+  if (built && in_place && !only_guessed) {
     finish(spec, std::move(*built), where);
   } else if (spec.name != "CLOOP" || !values.ok) {
     const bool sound = !values.fields.empty() && values.fields.front().ok;

@@ -93,9 +93,12 @@ Plan plan_of(const Json& head) {
   plan.numerics = read_text(head, "numerics");
   plan.name = read_text(head, "name");
   // The runs write files of this name in their folders.
-  if (plan.name.find('/') != std::string::npos)
-    throw std::runtime_error("\"name\" is " + head.at("name").dump() +
-                             ", which has a slash");
+  constexpr std::size_t longest_name = 200;  // with endings it is a name of a file
+  if (plan.name.empty() || plan.name == "." || plan.name == ".." ||
+      plan.name.find('/') != std::string::npos || plan.name.size() > longest_name)
+    throw std::runtime_error("\"name\" is " +
+                             head.at("name").dump().substr(0, longest_name) +
+                             ", which cannot be the name of files");
   if (!find_field(head, "until").is_null())
     plan.until = read_number(head, "until");
   if (plan.until && !(*plan.until > 0.0 && std::isfinite(*plan.until)))
@@ -116,7 +119,7 @@ Plan read_lines(std::istream& in) {
   // The head ends with the open list of runs.
   const std::string end = ", \"runs\": [";
   if (!line.ends_with(end))
-    throw std::runtime_error("its first line is damaged");
+    throw std::runtime_error("it is no sweep, or its first line is damaged");
   const Json head =
       Json::parse(line.substr(0, line.size() - end.size()) + "}", nullptr, false);
   Plan plan = plan_of(head);
