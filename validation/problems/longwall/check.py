@@ -17,11 +17,14 @@ def deflection(run):
 
 
 def caving(t, w):
-    """Returns the deflection when the speed is three times that of the first second."""
-    speed = np.gradient(w, t)
-    first = w[np.searchsorted(t, 1.0)] / 1.0
-    fast = np.nonzero((speed > 3 * first) & (t > 1))[0]
-    return w[fast[0]] if len(fast) else w.max()
+    """Returns the deflection when the speed is three times that of the first second, interpolated
+    between frames."""
+    speed = np.gradient(w, t) - 3 * np.interp(1.0, t, w) / 1.0
+    fast = np.nonzero((speed > 0) & (t > 1))[0]
+    if not len(fast):
+        return w.max()
+    last, first = fast[0] - 1, fast[0]
+    return np.interp(0.0, speed[[last, first]], w[[last, first]])
 
 
 def mean_speed(t, w):

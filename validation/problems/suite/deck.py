@@ -34,9 +34,9 @@ FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "
 
 def turned(text, degrees, shift=(0.0, 0.0)):
     """Returns the deck in a frame turned anticlockwise and then shifted. It turns the corners of
-    CREATE, OUTLINE and LAYER, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE, DRIVE, JSET
-    and INSITU, and enlarges the domain. Raises ValueError for a card that it cannot turn (READ9,
-    RESTART, INSITU with a gradient) or that continues on the next line."""
+    CREATE, OUTLINE, LAYER, REMOVE and FREE, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE,
+    DRIVE, JSET and INSITU, and enlarges the domain. Raises ValueError for a card that it cannot
+    turn (READ9, RESTART, INSITU with a gradient) or that continues on the next line."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
     def turn(x, y, by=(0.0, 0.0)):
@@ -44,6 +44,15 @@ def turned(text, degrees, shift=(0.0, 0.0)):
 
     def words(line):
         return [word.strip() for word in re.split(r"[$!]", line)[0].split(",")]
+
+    def numbers(count):
+        """Returns the next numbers, which may be on several lines."""
+        nonlocal at
+        found = []
+        while len(found) < count:
+            found += [float(word) for word in words(lines[at]) if word]
+            at += 1
+        return found
 
     def real(card, field):
         word = card[field] if field < len(card) else ""
@@ -67,7 +76,15 @@ def turned(text, degrees, shift=(0.0, 0.0)):
         card = words(line)
         name = card[0].upper()
         at += 1
-        if name in ("CREATE", "OUTLINE"):
+        if name in ("REMOVE", "FREE"):
+            if any("(" in word for word in card):
+                raise ValueError(f"no frame is known for {line}")
+            out.append(line)
+            count = int(real(card, 4))
+            points = [turn(x, y, shift) for x, y in zip(numbers(count), numbers(count))]
+            for values in zip(*points):
+                out.append(", ".join(f"{value:.17g}" for value in values))
+        elif name in ("CREATE", "OUTLINE"):
             xs, ys = ([float(word) for word in words(lines[at + k])] for k in (0, 1))
             if not len(xs) == len(ys) == int(card[1]):
                 raise ValueError(f"{name} continues on a third line: {line}")
