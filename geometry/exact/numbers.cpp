@@ -157,12 +157,12 @@ double negative_logarithm(double u) {
 }
 
 Rational rational(const Decimal& decimal) {
-  const CGAL::Gmpz digits(decimal.digits());
+  const CGAL::Gmpz whole(decimal.digits());
   const long exponent = decimal.exponent();
   CGAL::Gmpz scale;
   mpz_ui_pow_ui(scale.mpz(), 10UL,
                 static_cast<unsigned long>(exponent < 0 ? -exponent : exponent));
-  return exponent < 0 ? Rational(digits, scale) : Rational(digits * scale);
+  return exponent < 0 ? Rational(whole, scale) : Rational(whole * scale);
 }
 
 Point rational(const DecimalPoint& point) {
