@@ -12,6 +12,7 @@
 #include "output/checkpoint_expectations.hpp"
 #include "output/checkpoint_kept_validation.hpp"
 #include "output/checkpoint_law_validation.hpp"
+#include "output/checkpoint_plane_validation.hpp"
 #include "output/checkpoint_rest_validation.hpp"
 #include "quantities/curve.hpp"
 
@@ -200,24 +201,11 @@ void expect_contacts(const Model& model) {
   }
 }
 
-void expect_plane_contacts(const std::vector<PlaneContact>& list, const Model& model) {
-  const auto planes = static_cast<int>(model.settings.planes.size());
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const PlaneContact& contact = list[i];
-    const auto expect = [&](bool holds, const char* what) {
-      if (!holds)
-        reject_checkpoint(fmt::format("plane contact {} {}", i + 1, what));
-    };
-    expect(contact.plane >= 0 && contact.plane < planes, "has no plane");
-    expect(contact.corner >= 0 && contact.corner < model.blocks.corners(),
-           "has no corner");
-    for (const double value : {contact.normal_elastic, contact.normal_force,
-                               contact.overlap, contact.offset})
-      expect(std::isfinite(value) && value >= 0.0, "has values out of range");
-    expect(i == 0 || std::pair(list[i - 1].plane, list[i - 1].corner) <
-                         std::pair(contact.plane, contact.corner),
-           "is out of order");
-  }
+void expect_fixed_in_ground(const Model& model) {
+  const std::vector<int>& fixed = model.fixed_in_ground;
+  expect_indices("fixed_in_ground", fixed, fixed.size(), model.blocks.size());
+  if (!std::is_sorted(fixed.begin(), fixed.end()))
+    reject_checkpoint("fixed_in_ground is out of order");
 }
 
 void expect_loads(const Loads& loads, const Blocks& b) {
@@ -436,11 +424,8 @@ void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_contacts(model);
   expect_joint_states(model);
   expect_drives(model);
-  expect_plane_contacts(model.plane_contacts, model);
-  expect_indices("fixed_in_ground", model.fixed_in_ground, model.fixed_in_ground.size(),
-                 model.blocks.size());
-  if (!std::is_sorted(model.fixed_in_ground.begin(), model.fixed_in_ground.end()))
-    reject_checkpoint("fixed_in_ground is out of order");
+  expect_plane_contacts(model);
+  expect_fixed_in_ground(model);
   expect_loads(model.loads, model.blocks);
   expect_records(model);
   expect_equilibria(model);

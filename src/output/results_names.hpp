@@ -27,7 +27,7 @@ void write_names(hid_t own, const Settings& settings);
 /// planes.
 void write_planes(hid_t own, const std::vector<Plane>& planes);
 
-/// Reads all of it. Throws hdf5::Failure if they have another form.
+/// Reads names and planes. Throws hdf5::Failure if they have another form.
 ResultsNames read_names(hid_t own);
 
 }  // namespace blocks::output

@@ -76,11 +76,18 @@ void LinkedListCode::act(int b, Contact& record) {
   record.y = c.y;
   record.overlap = (c.x - p1.x) * record.sine - (c.y - p1.y) * record.cosine;
 
-  // The velocity of the corner relative to the edge.
+  // The velocity of the corner relative to the edge, at the time of the positions
+  // (docs/theory.md#the-velocities-of-a-contact).
   const double x1 = record.x - one.x, y1 = record.y - one.y;
   const double x2 = record.x - two.x, y2 = record.y - two.y;
-  const double vx = (one.vx - one.spin * y1) - (two.vx - two.spin * y2);
-  const double vy = (one.vy + one.spin * x1) - (two.vy + two.spin * x2);
+  const double in1 = 0.5 * dt_ * one.spin * one.spin,
+               in2 = 0.5 * dt_ * two.spin * two.spin;
+  const double ux =
+      (one.vx - one.spin * y1 + in1 * x1) - (two.vx - two.spin * y2 + in2 * x2);
+  const double uy =
+      (one.vy + one.spin * x1 + in1 * y1) - (two.vy + two.spin * x2 + in2 * y2);
+  const double turn = 0.25 * dt_ * (one.spin + two.spin);
+  const double vx = ux - turn * uy, vy = uy + turn * ux;
   const double closing = vx * record.sine - vy * record.cosine;
   const double sliding = vx * record.cosine + vy * record.sine;
 
