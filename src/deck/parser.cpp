@@ -342,7 +342,7 @@ bool Parser::material(const Material& card) {
   if (name.find(':') != std::string::npos) {
     fault(fmt::format("the name {} contains a colon", shown(name)),
           "a colon ends the name in quantities such as y:material=NAME:max");
-  } else if (name.find_first_not_of("0123456789") == std::string::npos) {
+  } else if (name.find_first_not_of("+-.0123456789") == std::string::npos) {
     fault(fmt::format("the name {} is a number", shown(name)),
           "in quantities such as y:material=2, a number is that of a material; add a "
           "letter to the name");

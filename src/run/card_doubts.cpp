@@ -80,11 +80,12 @@ std::vector<Doubt> doubt_outline(const Plan& plan) {
       fmt::format("{} {} the outline", counted(crossed.size(), "block"),
                   crossed.size() == 1 ? "crosses" : "cross");
   if (!named->is_by_centroid())
-    return {{message + ": " + number_ranges(crossed),
-             command.name +
-                 " acts only on blocks that are entirely inside; CUT may move sides "
-                 "that are shorter than emin across the outline",
-             named->nc.where, command.name}};
+    return {
+        {message + ": " + number_ranges(crossed),
+         command.name +
+             " acts only on blocks that are entirely inside; draw the outline wider "
+             "or narrower, along joints",
+         named->nc.where, command.name}};
   std::vector<int> act, stay;
   for (const int b : crossed)
     (std::binary_search(plan.chosen.begin(), plan.chosen.end(), b) ? act : stay)

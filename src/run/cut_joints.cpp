@@ -1,5 +1,6 @@
 #include "run/cut_joints.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -117,11 +118,18 @@ class Generator {
       return std::numeric_limits<double>::infinity();
     }
   }
-  /// Whether many tracks or traces are between the start of the set and the outline,
-  /// compared with the same set that starts at the outline.
+  /// Whether the set starts more than 1,000 sizes of the outline away, where joints of
+  /// various dips have lost their order, or many tracks or traces are between its start
+  /// and the outline, compared with the same set that starts at the outline.
   bool is_far(const geometry::JointSet& set, const geometry::JointSet& near) const {
+    constexpr double sizes = 1000.0;
     constexpr double many = 1e5;  // check_room() counts 720 MB for them
-    return pieces(set) - pieces(near) > many;
+    Eigen::AlignedBox2d box;
+    for (const geometry::DecimalPoint& corner : around_.outline)
+      box.extend(Eigen::Vector2d(corner.x.value(), corner.y.value()));
+    const Eigen::Vector2d start(set.start.x.value(), set.start.y.value());
+    return box.exteriorDistance(start) > sizes * box.diagonal().norm() ||
+           pieces(set) - pieces(near) > many;
   }
   void prepare(const deck::Voronoi& card) {
     std::string places;  // so that equal cards cut different outlines differently

@@ -300,7 +300,7 @@ TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
 
 // 6e6 traces would lie between (0, 0) and this outline: fewer than one card may make,
 // but more than a small machine has memory for.
-TEST_F(CutCards, SetsOfTracesInNationalCoordinatesBeginAtTheOutline) {
+TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
   std::string cards = start();
   cards.replace(cards.find("XLIMITS"), cards.find("BOXES") - cards.find("XLIMITS"),
                 "XLIMITS, 349900, 350200\nYLIMITS, 5599900, 5600200\n");
@@ -319,11 +319,11 @@ TEST_F(CutCards, SetsOfTracesInNationalCoordinatesBeginAtTheOutline) {
   };
   const Outcome check = blocks("check a.deck", folder_.path());
   EXPECT_EQ(check.code, 0) << check.err;
-  EXPECT_EQ(times_in(check.err), 2) << check.err;
+  EXPECT_EQ(times_in(check.err), 3) << check.err;
   const Outcome run = blocks("run a.deck", folder_.path());
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(times_in(run.err), 2) << run.err;
-  EXPECT_EQ(times_in(slurp(folder_ / "a.out")), 2);
+  EXPECT_EQ(times_in(run.err), 3) << run.err;
+  EXPECT_EQ(times_in(slurp(folder_ / "a.out")), 3);
 }
 
 TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
