@@ -255,6 +255,15 @@ std::vector<Variation> combine(const std::vector<Variation>& rows,
 
 std::string field_of(const std::string& set) { return set.substr(0, set.find('=')); }
 
+std::vector<std::string> axes_of(const Variation& run) {
+  std::vector<std::string> axes;
+  if (run.seed)
+    axes.emplace_back("seed");
+  for (const std::string& set : run.sets)
+    axes.push_back(field_of(set));
+  return axes;
+}
+
 std::string value_of(const std::string& set) { return set.substr(set.find('=') + 1); }
 
 std::string words_of(const Variation& run) {

@@ -62,6 +62,9 @@ std::vector<Variation> combine(const std::vector<Variation>& rows,
 /// Returns the name of the field of "CARD.field=value".
 std::string field_of(const std::string& set);
 
+/// Returns what a run sets: "seed" if it has one, and its fields, in order.
+std::vector<std::string> axes_of(const Variation& run);
+
 /// Returns the value of "CARD.field=value".
 std::string value_of(const std::string& set);
 

@@ -93,15 +93,6 @@ std::vector<Variation> choose_runs(const Request& request, Plan& plan) {
   return sobol_corners(*plan.sobol, common);
 }
 
-std::vector<std::string> axes_of(const Variation& run) {
-  std::vector<std::string> axes;
-  if (run.seed)
-    axes.emplace_back("seed");
-  for (const std::string& set : run.sets)
-    axes.push_back(field_of(set));
-  return axes;
-}
-
 /// Parses the deck once with each value that some run sets, and prints the errors of
 /// the first one that has any. Returns whether there were none.
 bool can_set_all(const Plan& plan, const std::string& text,

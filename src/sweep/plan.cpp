@@ -135,6 +135,9 @@ Plan read_lines(std::istream& in) {
       throw std::runtime_error(
           fmt::format("run {} is not in its place", plan.runs.size() + 1));
     plan.runs.push_back(variation_of(run, plan.kind));
+    if (axes_of(plan.runs.back()) != plan.axes)
+      throw std::runtime_error(
+          fmt::format("run {} does not set what \"axes\" names", plan.runs.size()));
   }
   if (line != "]}" || plan.runs.size() != number)
     throw std::runtime_error(

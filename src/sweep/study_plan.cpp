@@ -60,10 +60,10 @@ Plan make_study_plan(const Request& request) {
   plan.name = "study";
   plan.version = BLOCKS_VERSION;
   plan.numerics = numerics();
-  plan.axes = {"seed", "scene"};
   plan.variants = variants_of(request.variants);
   plan.runs =
       combine({}, {{"scene", scenes_of(request.deck)}}, parse_seeds(request.seeds));
+  plan.axes = axes_of(plan.runs.front());
   return plan;
 }
 

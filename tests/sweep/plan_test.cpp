@@ -131,6 +131,9 @@ TEST_F(PlanTest, ADamagedFieldIsNamed) {
   EXPECT_THAT(fault("\"name\":\"tunnel\"", "\"name\":3"),
               HasSubstr("\"name\" is 3, not a text"));
   EXPECT_THAT(fault("\"axes\":", "\"axis\":"), HasSubstr("\"axes\" is missing"));
+  EXPECT_THAT(
+      fault("\"axes\":[\"seed\",\"FRICTN.fric\"]", "\"axes\":[\"seed\",\"JOINT.ks\"]"),
+      HasSubstr("run 1 does not set what \"axes\" names"));
   EXPECT_THAT(fault("\"variants\":[]", "\"variants\":[4]"),
               HasSubstr("\"variants\" is [4], not a list of texts"));
   EXPECT_THAT(fault("\"until\":0.1", "\"until\":\"x\""),
