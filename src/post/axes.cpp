@@ -94,7 +94,7 @@ TickLabels label_ticks(double lower, double upper, int count, Offset kind) {
     offset = roundest(ticks.front(), ticks.back(), step);
   if (offset != 0.0)
     result.offset = fmt::format("{:+.15g}", offset);
-  if (offset == 0.0 && (largest >= 1e5 || largest < 1e-3) && largest > 0.0)
+  if (offset == 0.0 && (largest >= 1e4 || largest < 1e-3) && largest > 0.0)
     result.power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
   const double counted = std::pow(10.0, -result.power);
   std::string decimals = "{:g}";

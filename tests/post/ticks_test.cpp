@@ -36,7 +36,8 @@ TEST(Ticks, OfLargeAndSmallNumbersHaveAPowerOfTenInTheTitle) {
   EXPECT_THAT(energy.labels, ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "1.2",
                                          "1.4", "1.6", "1.8"));
   EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
-  EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [m]");
+  EXPECT_EQ(label_ticks(0, 5e3, 4).titled("x [m]"), "x [m]");
+  EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [10³ m]");
 }
 // The other axis has an offset.
 TEST(Ticks, HaveAnOffsetInsteadOfAPowerOfTen) {

@@ -18,7 +18,7 @@ const tick_text = (t) => {
 const superscript = (n) => String(n).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
 function power_of(low, high) {
   const most = Math.max(Math.abs(low), Math.abs(high));
-  return most >= 1e5 || (most > 0 && most < 1e-3) ? 3 * Math.floor(Math.log10(most) / 3) : 0;
+  return most >= 1e4 || (most > 0 && most < 1e-3) ? 3 * Math.floor(Math.log10(most) / 3) : 0;
 }
 const titled = (label, unit, power) => with_unit(label, [power ? `10${superscript(power)}` : "", unit].filter(Boolean).join(" "));
 
