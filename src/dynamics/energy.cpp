@@ -141,6 +141,23 @@ double work_of_loads(const Model& model) {
   return power * model.time_step.dt;
 }
 
+double work_of_water(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  if (model.loads.water.none())
+    return 0.0;
+  const WaterNow water(model.loads.water, model.time);
+  double power = 0.0;
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
+    const BlockWater sum = water.on_block(blocks, b);
+    power += sum.force.dot(Vec2(blocks.velocity.col(b))) + sum.moment * blocks.spin[b];
+    for (int i = 0; i < 4; ++i)
+      power += sum.sums[i] * blocks.strain_rate(i, b);
+  }
+  return power * model.time_step.dt;
+}
+
 /// Keeps the motion of the blocks before the step. Returns the work of their stresses.
 double keep_motion(const Model& model, EnergyMemory& memory) {
   const Blocks& blocks = model.blocks;
@@ -199,6 +216,7 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   account.add(EnergyEntry::transfer, account.elastic - contacts.before);
   account.elastic = contacts.after;
   account.add(EnergyEntry::loads, work_of_loads(model));
+  account.add(EnergyEntry::water, work_of_water(model));
   if (!model.loads.quiet_sides.empty()) {
     const QuietPower power = power_of_quiet_sides(model);
     account.add(EnergyEntry::loads, power.constant * model.time_step.dt);

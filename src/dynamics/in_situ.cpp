@@ -29,6 +29,8 @@ void set_forces(Model& model) {
   blocks.moment.setZero();
   blocks.applied.setZero();
   add_loads_of_cards(model);
+  if (!model.loads.water.none())
+    add_water(model, 0, blocks.size());
   for (const PlaneContact& contact : model.plane_contacts) {
     const Plane& plane = model.settings.planes[contact.plane];
     const Vec2 along = (plane.b - plane.a).normalized();

@@ -21,7 +21,7 @@ bool has_loads(const Model& model) {
   return !model.plane_contacts.empty() || !model.loads.none();
 }
 
-Extremes add_loads(Model& model) {
+Extremes add_loads(Model& model, const std::vector<int>& shares, Workers& workers) {
   Blocks& blocks = model.blocks;
   blocks.force.setZero();
   blocks.moment.setZero();
@@ -29,7 +29,26 @@ Extremes add_loads(Model& model) {
     blocks.applied.setZero();
   const Extremes at_planes = add_plane_forces(model);
   add_loads_of_cards(model);
+  if (!model.loads.water.none())
+    workers.each(shares,
+                 [&](int, int begin, int end) { add_water(model, begin, end); });
   return at_planes;
+}
+
+void add_water(Model& model, int begin, int end) {
+  Blocks& blocks = model.blocks;
+  const WaterNow water(model.loads.water, model.time);
+  for (int b = begin; b < end; ++b) {
+    if (blocks.is_removed(b))
+      continue;
+    const BlockWater sum = water.on_block(blocks, b);
+    if (!sum.acts)
+      continue;
+    blocks.force.col(b) += sum.force;
+    blocks.moment[b] += sum.moment;
+    for (int i = 0; i < 4; ++i)
+      blocks.applied(i, b) += sum.sums[i];
+  }
 }
 
 void add_loads_of_cards(Model& model) {

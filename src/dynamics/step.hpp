@@ -93,7 +93,8 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   // 4. Planes and loads. Reads blocks, time; writes block forces, applied stress.
   timer.next(Profile::motion);
   const bool loaded = has_loads(model);
-  const Extremes at_planes = loaded ? add_loads(model) : Extremes{};
+  const Extremes at_planes =
+      loaded ? add_loads(model, work.split.blocks, *work.workers) : Extremes{};
   if (!model.servos.empty())
     control_servos(model, work.contacts);
 

@@ -6,11 +6,12 @@
 
 namespace blocks {
 
-/// Energy that has passed since the account began. The first four put energy into the
+/// Energy that has passed since the account began. The first five put energy into the
 /// blocks, the others take it.
 enum class EnergyEntry : int {
   gravity,   ///< work of gravity
   loads,     ///< work of PRESSBC, FORCE and the constant forces of QUIET
+  water,     ///< work of the water of WATER and JWATER
   drives,    ///< work of the cards DRIVE
   dilation,  ///< work of the dilation of joints against their normal force
   friction,
@@ -27,7 +28,7 @@ enum class EnergyEntry : int {
   cracks,       ///< strain and kinetic energy released when blocks split
   integration,  ///< error of the integration in time, which vanishes with the time step
 };
-inline constexpr int energy_entries = 14;
+inline constexpr int energy_entries = 15;
 inline constexpr int first_taken_entry = static_cast<int>(EnergyEntry::friction);
 
 /// The account. Energies are in [F L]. Those of the state belong to the positions at

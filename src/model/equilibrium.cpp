@@ -80,6 +80,8 @@ bool loads_will_change(const Model& model) {
   const GravityRamp& ramp = model.settings.gravity_ramp;
   if (ramp.duration > 0.0 && model.time < ramp.begin + ramp.duration)
     return true;
+  if (model.loads.water.will_change(model.time))
+    return true;
   const TimeFunction& function = model.loads.function;
   double last_change = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < function.t.size(); ++i)

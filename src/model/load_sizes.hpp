@@ -1,4 +1,4 @@
-// The sizes of the loads on blocks: pressures, forces, servos and quiet sides.
+// The sizes of the loads on blocks: pressures, water, forces, servos and quiet sides.
 #pragma once
 
 #include <cmath>
@@ -20,6 +20,12 @@ template <class Add> void each_load(const Model& model, double time, const Add& 
     add(pressure.block, std::abs(loads.function.factor(time, pressure.arrival)) *
                             length * (std::abs(pressure.p1) + std::abs(pressure.p2)) /
                             2.0);
+  }
+  if (!loads.water.none()) {
+    const WaterNow water(loads.water, time);
+    for (int b = 0; b < blocks.size(); ++b)
+      if (blocks.is_free(b))
+        add(b, water.on_block(blocks, b).force.norm());
   }
   for (const CentroidForce& load : loads.forces)
     add(load.block,

@@ -1,11 +1,12 @@
-// Loads: the time function, pressures on sides and forces at centroids (report A.1.8,
-// A.2.10, A.2.11).
+// Loads: the time function, pressures on sides, forces at centroids (report A.1.8,
+// A.2.10, A.2.11) and water.
 #pragma once
 
 #include <limits>
 #include <vector>
 
 #include "geometry/vec2.hpp"
+#include "model/water.hpp"
 
 namespace blocks {
 
@@ -70,9 +71,10 @@ struct Loads {
   std::vector<Pressure> pressures;
   std::vector<CentroidForce> forces;
   std::vector<QuietSide> quiet_sides;
+  Water water;
 
   bool none() const {
-    return pressures.empty() && forces.empty() && quiet_sides.empty();
+    return pressures.empty() && forces.empty() && quiet_sides.empty() && water.none();
   }
 };
 

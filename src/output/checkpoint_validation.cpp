@@ -208,7 +208,36 @@ void expect_fixed_in_ground(const Model& model) {
     reject_checkpoint("fixed_in_ground is out of order");
 }
 
+void expect_water(const Water& water) {
+  const WaterTable& table = water.table;
+  const auto points = static_cast<Eigen::Index>(table.place.size());
+  expect("loads/water/gamma", table.gamma, points > 0 ? positive : not_negative);
+  expect("loads/water/up", table.up);
+  if (std::abs(table.up.norm() - 1.0) > 1e-12)
+    reject_checkpoint("loads/water/up is no unit vector");
+  for (const auto& [name, column] : {std::pair{"loads/water/place", &table.place},
+                                     {"loads/water/from", &table.from},
+                                     {"loads/water/to", &table.to}})
+    expect_all(name, *column, points, finite);
+  for (std::size_t i = 1; i < table.place.size(); ++i)
+    if (!(table.place[i - 1] < table.place[i]))
+      reject_checkpoint("loads/water/place does not increase");
+  expect("loads/water/begin", table.begin, finite);
+  expect("loads/water/duration", table.duration, not_negative);
+  for (const JointWater& one : water.joints) {
+    expect("loads/water/joints/joint", one.joint, not_negative);
+    expect("loads/water/joints", one.a);
+    expect("loads/water/joints", one.b);
+    for (const double value : {one.p1, one.p2, one.reach, one.duration})
+      expect("loads/water/joints", value, not_negative);
+    expect("loads/water/joints/begin", one.begin, finite);
+    if (!one.is_dry() && one.a == one.b)
+      reject_checkpoint("loads/water/joints has a pressure at one point");
+  }
+}
+
 void expect_loads(const Loads& loads, const Blocks& b) {
+  expect_water(loads.water);
   const auto points = static_cast<Eigen::Index>(loads.function.t.size());
   expect_all("loads/function/t", loads.function.t, points, finite);
   expect_all("loads/function/p", loads.function.p, points, finite);

@@ -117,6 +117,37 @@ std::string cracks_echo(const Settings& settings) {
   return text.empty() ? text : heading("CRACKS, DAMPING OF VIBRATION") + text;
 }
 
+std::string water_echo(const Water& water) {
+  std::string text;
+  const WaterTable& table = water.table;
+  if (!table.none()) {
+    text +=
+        heading("WATER TABLE") + setting("weight of the water", "GAMMA", table.gamma);
+    if (table.duration > 0.0)
+      text += setting("change of the table, begin", "TBEGIN", table.begin) +
+              setting("change of the table, duration", "TRAMP", table.duration);
+    text += over_whole("point") + over_number("X") + over_number("Y") +
+            over_number("Y BEFORE") + "\n";
+    for (std::size_t i = 0; i < table.place.size(); ++i) {
+      const Vec2 after = table.place[i] * table.across() + table.to[i] * table.up;
+      const Vec2 before = table.place[i] * table.across() + table.from[i] * table.up;
+      text += whole(static_cast<long>(i) + 1) + number(after.x()) + number(after.y()) +
+              number(before.y()) + "\n";
+    }
+  }
+  if (!water.joints.empty()) {
+    text += heading("WATER IN JOINTS") + over_whole("joint") + over_number("X1") +
+            over_number("Y1") + over_number("P1") + over_number("X2") +
+            over_number("Y2") + over_number("P2") + over_number("REACH") +
+            over_number("TBEGIN") + over_number("TRAMP") + "\n";
+    for (const JointWater& one : water.joints)
+      text += whole(one.joint) + number(one.a.x()) + number(one.a.y()) +
+              number(one.p1) + number(one.b.x()) + number(one.b.y()) + number(one.p2) +
+              number(one.reach) + number(one.begin) + number(one.duration) + "\n";
+  }
+  return text;
+}
+
 std::string loads_echo(const Model& model) {
   const Loads& loads = model.loads;
   std::string text;
@@ -141,6 +172,7 @@ std::string loads_echo(const Model& model) {
       text += whole(load.block + 1) + number(load.force.x()) + number(load.force.y()) +
               number(load.arrival) + "\n";
   }
+  text += water_echo(loads.water);
   if (!loads.quiet_sides.empty()) {
     text += heading("QUIET SIDES, FORCES AT THEIR CORNERS") + over_whole("block") +
             over_whole("side") + over_number("CP") + over_number("CS") +

@@ -205,8 +205,35 @@ template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive
   });
 }
 
+template <class W, class Archive> void visit_water(W& water, Archive& ar) {
+  auto& [table, joints] = water;
+  {
+    auto& [gamma, up, place, from, to, begin, duration] = table;
+    ar("loads/water/gamma", gamma);
+    ar("loads/water/up", up);
+    ar("loads/water/place", place);
+    ar("loads/water/from", from);
+    ar("loads/water/to", to);
+    ar("loads/water/begin", begin);
+    ar("loads/water/duration", duration);
+  }
+  ar.records("loads/water/joints", joints, [](auto& column, auto& one) {
+    auto& [joint, a, b, p1, p2, reach, begin, duration] = one;
+    column("joint", joint);
+    column("ax", a.x());
+    column("ay", a.y());
+    column("bx", b.x());
+    column("by", b.y());
+    column("p1", p1);
+    column("p2", p2);
+    column("reach", reach);
+    column("begin", begin);
+    column("duration", duration);
+  });
+}
+
 template <class L, class Archive> void visit_loads(L& loads, Archive& ar) {
-  auto& [function, pressures, forces, quiet_sides] = loads;
+  auto& [function, pressures, forces, quiet_sides, water] = loads;
   auto& [t, p] = function;
   ar("loads/function/t", t);
   ar("loads/function/p", p);
@@ -236,6 +263,7 @@ template <class L, class Archive> void visit_loads(L& loads, Archive& ar) {
     column("second_x", second.x());
     column("second_y", second.y());
   });
+  visit_water(water, ar);
 }
 
 template <class C, class Archive>

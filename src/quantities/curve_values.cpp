@@ -81,6 +81,12 @@ bool CurveValues::has_local_ratios() const {
   });
 }
 
+bool CurveValues::has_water() const {
+  return std::any_of(curves_.begin(), curves_.end(), [](const Reader& reader) {
+    return is_of_water(reader.curve.quantity);
+  });
+}
+
 void CurveValues::evaluate(const State& now, const Positions& first,
                            std::span<double> values) {
   for (std::size_t i = 0; i < curves_.size(); ++i)

@@ -34,6 +34,8 @@ class CurveValues {
   bool has_unbalanced() const;
   /// Whether a value depends on the local ratios of the state.
   bool has_local_ratios() const;
+  /// Whether a value depends on the forces of water in the state.
+  bool has_water() const;
 
   /// Sets values[i] to that of curve i: NaN if its blocks do not exist yet or were
   /// removed, or for displacements of blocks without a first position. Such blocks do

@@ -15,6 +15,7 @@ const std::vector<EnergyQuantity>& energy_quantities() {
       {"start", "energy at the start", [](const EnergyAccount& a) { return a.start; }},
       {"gravity", "work of gravity", of<gravity>},
       {"loads", "work of loads", of<loads>},
+      {"water", "work of water", of<water>},
       {"drives", "work of driven blocks", of<drives>},
       {"dilation", "work of dilation", of<dilation>},
       {"kinetic", "kinetic energy", [](const EnergyAccount& a) { return a.kinetic; }},

@@ -73,6 +73,11 @@ const std::vector<QuantityKind>& quantity_kinds() {
     return of_now(
         [sign](const B& now, int b) { return principal(now.stress.col(b), sign); });
   };
+  const auto of_water = [](int i) {
+    return of_now([i](const B& now, int b) {
+      return now.water == nullptr ? 0.0 : (*now.water)(i, b);
+    });
+  };
   static const std::vector<QuantityKind> kinds = {
       {"speed", "", "speed", velocity, magnitude, each,
        of_now([](const B& now, int b) { return now.velocity.col(b).norm(); })},
@@ -125,6 +130,8 @@ const std::vector<QuantityKind>& quantity_kinds() {
          return now.local_ratio == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                            : (*now.local_ratio)[b];
        })},
+      {"water_x", "", "force of water x", force, is_signed, additive, of_water(0)},
+      {"water_y", "", "force of water y", force, is_signed, additive, of_water(1)},
       {"kinetic_energy", "", "kinetic energy", energy, magnitude, additive,
        of_now(kinetic_energy)},
       {"momentum_x", "", "momentum x", momentum, is_signed, additive,
@@ -168,6 +175,10 @@ std::string quantity_names() {
 
 bool is_of_equilibrium(const std::string& name) {
   return name == "unbalanced" || name == ratio_name || is_of_local_ratio(name);
+}
+
+bool is_of_water(const std::string& name) {
+  return name == "water_x" || name == "water_y";
 }
 
 bool is_of_local_ratio(const std::string& name) {

@@ -43,6 +43,9 @@ inline constexpr const char* ratio_name = "unbalanced_ratio";
 /// The largest local ratio of a block: what SOLVE tests beside the ratio.
 inline constexpr const char* largest_local_name = "unbalanced:local";
 
+/// Whether a quantity depends on the forces of water.
+bool is_of_water(const std::string& name);
+
 /// True for the unbalanced force of a block, its local ratio, the largest of these and
 /// the ratio of the model. Results have them only if the deck asks for equilibrium
 /// (docs/rest.md#the-ratio). Takes a name.

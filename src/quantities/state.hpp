@@ -48,6 +48,8 @@ struct BlockStates : Positions {
   const Eigen::VectorXd* unbalanced = nullptr;
   /// (n) local ratios (model/local_ratio.hpp); null if they are not known.
   const Eigen::VectorXd* local_ratio = nullptr;
+  /// [F] (2, n) force of water on each block; null: there is none.
+  const Eigen::Matrix2Xd* water = nullptr;
 
   int size() const { return static_cast<int>(material.size()); }
   bool is_removed(int b) const;

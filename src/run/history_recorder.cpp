@@ -118,6 +118,10 @@ void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
     local_ratios(model, local_ratios_);
     blocks.local_ratio = &local_ratios_;
   }
+  if (values_of_.has_water() && !model.loads.water.none()) {
+    WaterNow(model.loads.water, model.time).forces_on(model.blocks, water_);
+    blocks.water = &water_;
+  }
   const quantities::Positions first{first_.centroid,
                                     quantities::Corners(first_.outlines)};
   values_of_.evaluate({model.time, model.steps, blocks, contacts_, &model.energy, ratio,

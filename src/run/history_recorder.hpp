@@ -45,6 +45,7 @@ class HistoryRecorder {
   int first_blocks_ = 0;  ///< blocks of the first frame
   std::vector<quantities::ContactState> contacts_;
   Eigen::VectorXd unbalanced_;    ///< [F] (blocks) in the state that is read
+  Eigen::Matrix2Xd water_;        ///< [F] (2, blocks) there
   Eigen::VectorXd local_ratios_;  ///< (blocks) in that state
   long next_ = 0;                 ///< index of the next multiple
   /// [T] samples are due from this time on; infinite if there is no HISTORY card.

@@ -154,7 +154,8 @@ std::pair<Vec2, double> sum_of_loads(Model model) {
   Blocks& blocks = model.blocks;
   model.plane_contacts.clear();
   blocks.velocity.setZero(), blocks.spin.setZero();
-  dynamics::add_loads(model);
+  dynamics::Workers workers;
+  dynamics::add_loads(model, {0, blocks.size()}, workers);
   Vec2 force(0, 0);
   double moment = 0.0;
   for (int b = 0; b < blocks.size(); ++b) {

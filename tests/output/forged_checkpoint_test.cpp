@@ -57,6 +57,15 @@ Model full_model() {
   model.cracks[0].parent = 0, model.cracks[0].child = 1;
   model.crack_refusals = {{0, CrackRefusal::small}, {1, CrackRefusal::full}};
   samples::add_laws(model);
+  model.loads.water = {{100.0, {0, 1}, {0, 4}, {-9, -9}, {1, 2}, 0.0, 0.5},
+                       {{.joint = 0,
+                         .a = {0, 0},
+                         .b = {2, 0},
+                         .p1 = 5.0,
+                         .p2 = 1.0,
+                         .reach = 0.5,
+                         .begin = 0.0,
+                         .duration = 0.25}}};
   model.energy.kept = true;
   model.kept.blocks = 2, model.kept.most = 0.5;
   model.kept.poses = {{.block = 0}, {.block = 1}};
