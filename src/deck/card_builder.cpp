@@ -6,6 +6,7 @@
 
 #include "deck/block_choices.hpp"
 #include "deck/law_cards.hpp"
+#include "deck/water_cards.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -249,6 +250,8 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Force{f[0].as_choice(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
        }},
+      {"WATER", [](F f, V, D d) -> Maybe { return build_water(f, d); }},
+      {"JWATER", [](F f, V, D d) -> Maybe { return build_joint_water(f, d); }},
       {"FRICTN", [](F f, V, D) -> Maybe { return Frictn{f[0].as_real()}; }},
       {"SETVEL", [](F f, V, D d) -> Maybe { return setvel(f, d); }},
       {"SETVELM",

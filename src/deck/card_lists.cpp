@@ -95,9 +95,24 @@ bool read_lists(Card& card, const std::vector<Line>& data, SourceLocation end,
     return outline(free->blocks, "FREE", data, end, diagnostics);
   }
   if (auto* function = std::get_if<Function>(&card)) {
-    FunctionPoints points = read_points(function->ntimep.value, data, end, diagnostics);
-    function->t = std::move(points.t);
-    function->p = std::move(points.p);
+    static const PointSpec spec{"FUNCTION",
+                                "ntimep",
+                                {"t", Kind::real, {}, {}, "[T]", "time"},
+                                {"p", Kind::real, {}, {}, "[-]", "value"},
+                                "times"};
+    Points points = read_points(spec, function->ntimep.value, data, end, diagnostics);
+    function->t = std::move(points.first);
+    function->p = std::move(points.second);
+    return points.ok;
+  }
+  if (auto* water = std::get_if<Water>(&card)) {
+    static const PointSpec spec{"WATER",
+                                "n",
+                                {"x", Kind::real, {}, {}, "[L]", "x"},
+                                {"y", Kind::real, {}, {}, "[L]", "y"}};
+    Points points = read_points(spec, water->n.value, data, end, diagnostics);
+    water->x = std::move(points.first);
+    water->y = std::move(points.second);
     return points.ok;
   }
   return true;

@@ -179,6 +179,20 @@ struct Force {
   NumberOrSelector nblok;
   Real fx, fy, tarriv;
 };
+// Water (docs/water.md); not in the report
+struct Water {
+  Real gamma;
+  Int n;
+  Real tramp;
+  std::vector<Real> x, y;  ///< [L] (n) points of the table
+};
+struct Jwater {
+  Int id;
+  Real x1, y1, p1, x2, y2, p2, reach, tramp;
+
+  /// Whether there is a pressure: all other sides of the id are dry.
+  bool presses() const { return p1.value != 0.0 || p2.value != 0.0; }
+};
 struct Frictn {
   Real fric;
 };
@@ -313,10 +327,10 @@ struct Stop {};
 using Card =
     std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material, Function,
                  Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Cut, Orient,
-                 Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn,
-                 SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair, Bond, Drive,
-                 Locdamp, Kindamp, Mscale, Insitu, Servo, Quiet, Crack, Mdamp, Dump,
-                 Output, Plots, History, Motion, Cycle, Solve, Fos, Save,
+                 Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Water,
+                 Jwater, Frictn, SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair,
+                 Bond, Drive, Locdamp, Kindamp, Mscale, Insitu, Servo, Quiet, Crack,
+                 Mdamp, Dump, Output, Plots, History, Motion, Cycle, Solve, Fos, Save,
                  Stop>;
 
 struct Command {

@@ -7,7 +7,6 @@ namespace {
 
 constexpr Range material_number{1, 2147483647, false, false, false};
 constexpr Range zero_to_one{0, 1, false, false, false};
-constexpr Range id_or_none{0, 1e9, false, false, false};
 
 }  // namespace
 

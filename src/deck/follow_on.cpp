@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <fmt/format.h>
+
+#include <optional>
 #include <span>
 
 namespace blocks::deck {
@@ -133,59 +135,60 @@ TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
   return out;
 }
 
-FunctionPoints read_points(long count, const std::vector<Line>& lines,
-                           SourceLocation card_end, Diagnostics& diagnostics) {
-  static const FieldSpec time{"t", Kind::real, {}, {}, "[T]", "time"};
-  static const FieldSpec load{"p", Kind::real, {}, {}, "[-]", "value"};
-  const std::string card = "FUNCTION";
-  FunctionPoints out{.t = {}, .p = {}, .ok = true};
+Points read_points(const PointSpec& spec, long count, const std::vector<Line>& lines,
+                   SourceLocation card_end, Diagnostics& diagnostics) {
+  const std::string card(spec.card);
+  const std::string both = fmt::format("{}, {}", spec.first.name, spec.second.name);
+  Points out{.first = {}, .second = {}, .ok = true};
+  const auto fault = [&](SourceLocation where, const std::string& message,
+                         const std::string& hint) {
+    diagnostics.error(where, card, message, hint);
+    out.ok = false;
+  };
   const auto found = static_cast<long>(lines.size());
   if (found != count) {
     const bool surplus = found > count;
     const SourceLocation where =
         surplus ? lines[static_cast<std::size_t>(count)].fields.front().where
                 : (lines.empty() ? card_end : lines.back().end);
-    diagnostics.error(where, card,
-                      fmt::format("expected {} line{} of t, p, found {}", count,
-                                  count == 1 ? "" : "s", found),
-                      "ntimep is the number of lines that follow, one point each");
-    out.ok = false;
+    fault(where,
+          fmt::format("expected {} line{} of {}, found {}", count,
+                      count == 1 ? "" : "s", both, found),
+          fmt::format("{} is the number of lines that follow, one point each",
+                      spec.count));
   }
-  const Value* before = nullptr;
-  Value previous;
+  std::optional<double> previous;
   for (const Line& line : lines) {
     const std::vector<Field>& fields = line.fields;
     if (fields.size() == 2 && (fields[0].blank || fields[1].blank)) {
-      diagnostics.error(fields[fields[0].blank ? 0 : 1].where, card,
-                        fields[0].blank ? "the time of this point is blank"
-                                        : "the value of this point is blank",
-                        "points have no default");
-      out.ok = false;
+      const bool is_first = fields[0].blank;
+      fault(fields[is_first ? 0 : 1].where,
+            fmt::format("the {} of this point is blank",
+                        (is_first ? spec.first : spec.second).help),
+            "points have no default");
       continue;
     }
     if (fields.size() != 2) {
-      diagnostics.error(fields.size() > 2 ? fields[2].where : line.end, card,
-                        fmt::format("expected t, p on this line, found {} value{}",
-                                    fields.size(), fields.size() == 1 ? "" : "s"),
-                        "one point per line");
-      out.ok = false;
+      fault(fields.size() > 2 ? fields[2].where : line.end,
+            fmt::format("expected {} on this line, found {} value{}", both,
+                        fields.size(), fields.size() == 1 ? "" : "s"),
+            "one point per line");
       continue;
     }
-    const Value t = read_value(fields[0], time, card, diagnostics);
-    const Value p = read_value(fields[1], load, card, diagnostics);
-    out.ok = out.ok && t.ok && p.ok;
-    if (t.ok && before != nullptr && t.number.value() < before->number.value()) {
-      diagnostics.error(
-          t.where, card, "times must not decrease from line to line",
-          fmt::format("the previous line has t = {:g}", before->number.value()));
-      out.ok = false;
+    const Value first = read_value(fields[0], spec.first, card, diagnostics);
+    const Value second = read_value(fields[1], spec.second, card, diagnostics);
+    out.ok = out.ok && first.ok && second.ok;
+    if (first.ok) {
+      const double now = first.number.value();
+      if (!spec.ascending.empty() && previous && now < *previous)
+        fault(
+            first.where,
+            fmt::format("{} must not decrease from line to line", spec.ascending),
+            fmt::format("the previous line has {} = {:g}", spec.first.name, *previous));
+      previous = now;
     }
-    if (t.ok) {
-      previous = t;
-      before = &previous;
-    }
-    out.t.push_back(t.as_real());
-    out.p.push_back(p.as_real());
+    out.first.push_back(first.as_real());
+    out.second.push_back(second.as_real());
   }
   return out;
 }

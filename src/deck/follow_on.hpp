@@ -1,6 +1,6 @@
 // Reads the lines of values after a card: coordinates of CREATE, widths of LAYER,
-// points of FUNCTION. No memory is reserved from the count on the card, because that
-// may be any number.
+// points of FUNCTION and WATER. No memory is reserved from the count on the card,
+// because that may be any number.
 #pragma once
 
 #include <string_view>
@@ -32,13 +32,22 @@ struct TwoLists {
 TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
                         SourceLocation card_end, Diagnostics& diagnostics);
 
-struct FunctionPoints {
-  std::vector<Real> t, p;
-  bool ok = false;
+/// Lines of two values, the points of a function.
+struct PointSpec {
+  std::string_view card;
+  std::string_view count;   ///< name of the field that tells their number
+  FieldSpec first, second;  ///< "t" and "p"
+  /// What the first values are, if they must not decrease: "times".
+  std::string_view ascending = {};
 };
 
-/// Reads `count` lines of t, p for FUNCTION; the times must increase strictly.
-FunctionPoints read_points(long count, const std::vector<Line>& lines,
-                           SourceLocation card_end, Diagnostics& diagnostics);
+struct Points {
+  std::vector<Real> first, second;
+  bool ok = false;  ///< false after a fault, which has been reported
+};
+
+/// Reads `count` points, one on each line.
+Points read_points(const PointSpec& spec, long count, const std::vector<Line>& lines,
+                   SourceLocation card_end, Diagnostics& diagnostics);
 
 }  // namespace blocks::deck

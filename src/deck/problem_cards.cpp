@@ -5,6 +5,7 @@
 #include "deck/law_cards.hpp"
 #include "deck/ranges.hpp"
 #include "deck/rest_cards.hpp"
+#include "deck/water_cards.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {
@@ -421,6 +422,8 @@ std::vector<CardSpec> problem_cards() {
   for (CardSpec& card : joint_cards())
     cards.push_back(std::move(card));
   add_load_cards(cards);
+  for (CardSpec& card : water_cards())
+    cards.push_back(std::move(card));
   for (CardSpec& card : law_cards())
     cards.push_back(std::move(card));
   for (CardSpec& card : rest_cards())

@@ -11,6 +11,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr Range any{};
 inline constexpr Range positive{0, infinity, true, false, false};
 inline constexpr Range not_negative{0, infinity, false, false, false};
+inline constexpr Range id_or_none{0, 1e9, false, false, false};  ///< a joint id
 inline constexpr Range from_one{1, infinity, false, false, false};
 
 }  // namespace blocks::deck

@@ -224,6 +224,8 @@ struct Builder::Visitor {
   void operator()(const deck::Free& card) { self.free(command, card.blocks); }
   void operator()(const deck::PressBc& card) { self.press(command, card); }
   void operator()(const deck::Force& card) { self.push(command, card); }
+  void operator()(const deck::Water& card) { self.set_water(command, card); }
+  void operator()(const deck::Jwater& card) { self.set_joint_water(command, card); }
   void operator()(const deck::Frictn& card) { settings.friction = card.fric.value; }
   void operator()(const deck::SetVel& card) {
     set_velocity(card.nb1.selector

@@ -68,6 +68,10 @@ class Builder {
   /// SOLVE lies between, so the blocks are where they will be at that moment.
   void check_before_motion(const deck::Command& command, bool in_place);
 
+  /// After errors of cards, checks before the first motion what does not depend on these:
+  /// the planes and the time step, if no card that makes blocks has failed.
+  void check_despite_errors(const deck::Command& command);
+
   /// Tests the rules of plausibility about the blocks before a motion. The blocks are
   /// taken where the deck puts them, so the run need not repeat this.
   void check_plausibility(const deck::Command& motion);
@@ -236,6 +240,10 @@ class Builder {
   /// Returns whether block b is inside the domain, where blocks move. Otherwise reports
   /// an error, or a warning if the block has left it.
   bool can_move(const deck::Command& command, int b, deck::SourceLocation where);
+
+  // Water, in builder_water.cpp
+  void set_water(const deck::Command& command, const deck::Water& card);
+  void set_joint_water(const deck::Command& command, const deck::Jwater& card);
 
   // Rest and waves, in builder_rest.cpp and builder_quiet.cpp
   void load_in_situ(const deck::Command& command, const deck::Insitu& card);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/time_step.hpp"
 #include "geometry/overlap.hpp"
 #include "geometry/polygon.hpp"
 #include "model/counted.hpp"
+#include "quantities/units.hpp"
 #include "run/number_ranges.hpp"
 
 namespace blocks::run {
@@ -99,6 +101,46 @@ std::vector<Doubt> doubt_outline(const Plan& plan) {
            "with CENTROID the centroid decides; a cut along the outline makes "
            "blocks that do not cross it",
            named->nc.where, command.name}};
+}
+
+std::vector<Doubt> doubt_water(const Plan& plan) {
+  const deck::Command& command = plan.cards.back();
+  const auto* water = std::get_if<deck::Water>(&command.card);
+  if (water == nullptr || water->n.value == 0)
+    return {};
+  const Settings& settings = plan.model.settings;
+  const double gravity = settings.gravity.norm();
+  const deck::SourceLocation where = water->gamma.where;
+  if (gravity == 0.0)
+    return {{"water has weight, but no GRAVITY card above gives blocks theirs",
+             "put GRAVITY before WATER", where, command.name}};
+  const double density = water->gamma.value / gravity;
+  const Units& units = settings.units;
+  const auto length = quantities::known_lengths().size_of(units.length),
+             mass = quantities::known_masses().size_of(units.mass);
+  constexpr double in_si = 1000.0, many = 2.0;  // kg/m3
+  if (length && mass) {
+    const double known = density * *mass / std::pow(*length, 3);
+    if (known < in_si / many || known > in_si * many)
+      return {
+          {fmt::format("gamma over gravity is a density of {:.3g} kg/m3, and that of "
+                       "water is 1000",
+                       known),
+           "gamma is the density of water times the size of gravity, in the units "
+           "of the deck",
+           where, command.name}};
+  }
+  const bool floats =
+      std::all_of(settings.materials.begin(), settings.materials.end(),
+                  [&](const auto& one) { return one.second.density < density; });
+  if (floats && !settings.materials.empty())
+    return {{fmt::format("water of density {:g} is heavier than every material, so all "
+                         "blocks float",
+                         density),
+             "gamma is the density of water times the size of gravity, in the units of "
+             "the deck",
+             where, command.name}};
+  return {};
 }
 
 std::vector<Doubt> doubt_strength(const Plan& plan) {

@@ -14,6 +14,9 @@ std::vector<Doubt> doubt_friction(const Plan& plan);
 /// blocks that it has removed are gone.
 std::vector<Doubt> doubt_outline(const Plan& plan);
 
+/// The weight of the water of a WATER card, which is not that of water.
+std::vector<Doubt> doubt_water(const Plan& plan);
+
 /// JOINT cards whose peak strength acts nowhere, because no BOND card names their id.
 /// A restart is not tested: its checkpoint may have bonds.
 std::vector<Doubt> doubt_strength(const Plan& plan);

@@ -1,0 +1,158 @@
+// The cards WATER and JWATER (docs/water.md).
+#include "run/builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "model/water.hpp"
+
+namespace blocks::run {
+
+using deck::Command;
+
+namespace {
+
+/// Returns the lowest height of a corner of the present blocks, [L]; 0 without blocks.
+double lowest_corner(const Blocks& blocks, const Vec2& up) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int c = 0; c < blocks.corners(); ++c)
+    if (!blocks.is_removed(blocks.corner_block[c]))
+      lowest = std::min(lowest, up.dot(Vec2(blocks.corner.col(c))));
+  return std::isfinite(lowest) ? lowest : 0.0;
+}
+
+/// The levels of a table at one time, as points.
+WaterTable still(const Water& water, double time) {
+  WaterTable table = water.table;
+  const WaterNow now(water, time);
+  for (std::size_t k = 0; k < table.place.size(); ++k)
+    table.to[k] = now.level_at(table.place[k]);
+  table.from = table.to;
+  table.duration = 0.0;
+  return table;
+}
+
+/// Lets a table change from one to another from `begin` on. Both have points and the
+/// same directions.
+WaterTable changing(const WaterTable& from, const WaterTable& to, double begin,
+                    double duration) {
+  WaterTable table = to;
+  std::set<double> places(from.place.begin(), from.place.end());
+  places.insert(to.place.begin(), to.place.end());
+  table.place.assign(places.begin(), places.end());
+  table.from.clear(), table.to.clear();
+  const Water old{from, {}}, wanted{to, {}};
+  for (const double s : table.place) {
+    table.from.push_back(WaterNow(old, begin).level_at(s));
+    table.to.push_back(WaterNow(wanted, begin).level_at(s));
+  }
+  table.begin = begin;
+  table.duration = duration;
+  return table;
+}
+
+std::string listed(const std::set<int>& ids) {
+  return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, ", "));
+}
+
+}  // namespace
+
+void Builder::set_water(const Command& command, const deck::Water& card) {
+  const Vec2& gravity = model_.settings.gravity;
+  WaterTable table;
+  if (!gravity.isZero(0.0))
+    table.up = -gravity.normalized();
+  const Vec2 across = table.across();
+  Water& water = model_.loads.water;
+  const double tramp = card.tramp.value;
+  if (tramp > 0.0 && !water.table.none() && water.table.up != table.up) {
+    diagnostics_.error(card.tramp.where, command.name,
+                       "gravity has another direction than at the WATER card before",
+                       "give the table without tramp");
+    return;
+  }
+  struct Point {
+    double place, level;
+  };
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < card.x.size(); ++i) {
+    const Vec2 at(card.x[i].value, card.y[i].value);
+    points.push_back({across.dot(at), table.up.dot(at)});
+  }
+  const bool leftwards = points.size() > 1 && points[1].place < points[0].place;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double step = points[i].place - points[i - 1].place;
+    if (leftwards ? step < 0.0 : step > 0.0)
+      continue;
+    const bool upright = gravity.x() == 0.0;
+    diagnostics_.error(
+        card.x[i].where, command.name,
+        upright ? "the points of the table must follow each other in x"
+                : "the points of the table must follow each other across gravity",
+        upright ? fmt::format("a water table is a function of x; the point before has "
+                              "x = {:g}",
+                              card.x[i - 1].value)
+                : fmt::format("gravity is ({:g}, {:g}) here, and depth is measured "
+                              "along it",
+                              gravity.x(), gravity.y()));
+    return;
+  }
+  if (leftwards)
+    std::reverse(points.begin(), points.end());
+  const double lowest = lowest_corner(model_.blocks, table.up);
+  if (points.empty() && tramp > 0.0)
+    points.push_back({0.0, lowest});  // the table sinks until all is dry
+  for (const auto& [place, level] : points) {
+    table.place.push_back(place);
+    table.to.push_back(level);
+  }
+  table.from = table.to;
+  table.gamma = card.n.value > 0 ? card.gamma.value : water.table.gamma;
+  if (tramp > 0.0) {
+    WaterTable before = still(water, model_.time);
+    if (before.none()) {
+      before.place = {0.0};
+      before.to = before.from = {lowest};
+    }
+    table = changing(before, table, model_.time, tramp);
+  }
+  water.table = table;
+}
+
+void Builder::set_joint_water(const Command& command, const deck::Jwater& card) {
+  const Blocks& blocks = model_.blocks;
+  const auto id = static_cast<int>(card.id.value);
+  std::set<int> known;
+  for (int c = 0; c < blocks.corners(); ++c)
+    if (!blocks.is_removed(blocks.corner_block[c]))
+      known.insert(blocks.joint[c]);
+  for (const auto& [material, rule] : model_.settings.crack_rules)
+    known.insert(rule.joint);
+  if (!known.contains(id) && !diagnostics_.has_errors())
+    diagnostics_.error(
+        card.id.where, command.name, fmt::format("no side has the joint id {}", id),
+        "put JWATER after the cards that make blocks; their joint ids: " +
+            listed(known));
+  JointWater water{id,
+                   {card.x1.value, card.y1.value},
+                   {card.x2.value, card.y2.value},
+                   card.p1.value,
+                   card.p2.value,
+                   card.reach.value,
+                   model_.time,
+                   card.tramp.value};
+  std::vector<JointWater>& all = model_.loads.water.joints;
+  if (!card.presses())
+    std::erase_if(all, [&](const JointWater& one) { return one.joint == id; });
+  if (!card.reach.given) {
+    constexpr double part_of_length = 0.01;
+    water.reach = part_of_length * (water.b - water.a).norm();
+  }
+  all.push_back(water);
+}
+
+}  // namespace blocks::run
