@@ -230,8 +230,8 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
   }
-  for (const char* name :
-       {"material", "family", "joint", "bond", "opening", "shear_displacement"})
+  for (const char* name : {"material", "family", "joint", "bond", "opening",
+                           "shear_displacement", "water_pressure"})
     if (deck::capitals(figure.colour) == deck::capitals(name))
       figure.colour = name;
   figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
@@ -285,7 +285,7 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
           "with the law of a joint: bonded, or failed and how far they slipped), "
           "opening "
           "or shear_displacement (the faces that were closed at first, by their motion "
-          "since), " +
+          "since), water_pressure (the sides that water presses), " +
               quantities::block_quantity_names())
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,

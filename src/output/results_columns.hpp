@@ -99,10 +99,11 @@ class FrameColumn {
     offsets_.put(static_cast<hsize_t>(frame), &offset_, 1);
   }
 
-  /// Makes up for a column that begins after `frames` frames: writes `rows` rows of 0,
-  /// to which all these frames refer.
-  template <class T> void start_late(long frames, hsize_t rows) {
-    put_rows(data_, 0, rows, made_of<T>([](hsize_t) { return T(0); }));
+  /// Makes up for a column that begins after `frames` frames: writes `rows` rows of
+  /// `width` zeros, to which all these frames refer.
+  template <class T> void start_late(long frames, hsize_t rows, hsize_t width = 1) {
+    const std::vector<T> zeros(rows * width, T(0));
+    put_rows(data_, 0, rows, as_stored(zeros.data(), width));
     rows_ = rows;
     offset_ = 0;
     const std::int64_t zero = 0;

@@ -72,7 +72,8 @@ ResultsCells::ResultsCells(const Blocks& blocks) {
 template <class Make>
 ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t blocks,
                              hsize_t corners, bool unbalanced)
-    : joints_(to.vtk.get(), to.steps.get()),
+    : joints_(to.vtk.get(), to.steps.get(), "PointData", "Joint"),
+      water_(to.vtk.get(), to.steps.get(), to.own.get()),
       cracks_(to.vtk.get(), to.steps.get(), to.own.get()) {
   const hid_t whole = H5T_NATIVE_INT64, real = H5T_NATIVE_DOUBLE;
   const hsize_t per_block = chunk_rows(blocks), per_corner = chunk_rows(corners);
@@ -149,6 +150,7 @@ std::unique_ptr<ResultsFrames> ResultsFrames::open(const ResultsGroups& groups) 
       hdf5::exists(groups.vtk.get(),
                    fmt::format("CellData/{}", unbalanced_force.name))));
   frames->joints_.open();
+  frames->water_.open();
   frames->cracks_.open();
   frames->contacts_->open();
   return frames;
@@ -175,6 +177,7 @@ void ResultsFrames::truncate(long count) {
   for (auto& [name, column] : cells_)
     column.truncate(count, cell_count);
   joints_.truncate(count, corner_count);
+  water_.truncate(count, cell_count, corner_count);
   cracks_.truncate(count, cell_count);
   points_.truncate(corner_end);
   connectivity_.truncate(id_end);
@@ -299,6 +302,7 @@ void ResultsFrames::put(long number, const Model& model) {
            in_space(model.blocks.corner));
   put_cells(number, model.blocks);
   joints_.put(number, model.blocks.joint);
+  water_.put(number, model);
   cracks_.put(number, model);
   put_frame_data(number, model);
   contacts_->put(number, model);

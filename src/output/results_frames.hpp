@@ -12,7 +12,8 @@
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
 #include "output/results_cracks.hpp"
-#include "output/results_joints.hpp"
+#include "output/results_late_columns.hpp"
+#include "output/results_water.hpp"
 
 namespace blocks::output {
 
@@ -67,7 +68,8 @@ class ResultsFrames {
   hdf5::Column values_, number_of_parts_, part_offsets_, point_offsets_, cell_offsets_,
       id_offsets_;
   std::map<std::string, FrameColumn> cells_;
-  JointColumn joints_;
+  LateColumn<int> joints_;
+  WaterColumns water_;
   CrackColumns cracks_;
   std::map<std::string, hdf5::Column> frame_data_, frame_offsets_, frame_sizes_;
   std::unique_ptr<ContactColumns> contacts_;

@@ -26,8 +26,8 @@ struct FigureOptions {
   PageSize page;
   /// "material", "family" (pieces by the block from which they come), "joint" (the
   /// sides of blocks by joint id), "bond" (the faces of blocks by the state of their
-  /// bond), "opening" or "shear_displacement" (the faces by their motion), or a name of
-  /// quantity.hpp
+  /// bond), "opening" or "shear_displacement" (the faces by their motion),
+  /// "water_pressure" (the sides that water presses), or a name of quantity.hpp
   std::string colour = "material";
   std::string colour_map;  ///< a name of colour_map.hpp; empty: automatic
   std::optional<Eigen::Vector2d>
@@ -58,7 +58,8 @@ struct FigureOptions {
   bool shows_joints() const { return colour == "joint"; }
   bool shows_bonds() const { return colour == "bond"; }
   bool shows_faces() const {
-    return colour == "opening" || colour == "shear_displacement";
+    return colour == "opening" || colour == "shear_displacement" ||
+           colour == "water_pressure";
   }
   /// True if the sides of blocks have colours, and blocks those of their materials.
   bool shows_sides() const { return shows_joints() || shows_bonds() || shows_faces(); }

@@ -81,6 +81,8 @@ class Legend {
       swatch({0.9, 0.9, 0.9}, true, "fixed");
     if (!options_.planes.empty())
       plane();
+    if (scales_.water)
+      line_swatch(water_colour, 1.6, "water table");
     end_cells();
     if (!options_.arrows.empty())
       arrow();
@@ -374,7 +376,8 @@ double legend_height(const FigureScales& scales, const FigureOptions& options) {
   return (by_material(options) ? materials_height(scales.materials.size()) : 0) +
          static_cast<double>(joint_entries(scales)) * line + (scales.fixed ? line : 0) +
          (scales.cracks ? line : 0) + (options.planes.empty() ? 0 : line) +
-         (options.arrows.empty() ? 0 : arrow) + bars(scales, options) * least_bar +
+         (scales.water ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
+         bars(scales, options) * least_bar +
          mark * static_cast<double>(options.mark_names.size());
 }
 
@@ -383,7 +386,8 @@ double legend_height_below(const FigureScales& scales, const FigureOptions& opti
   const std::size_t materials = by_material(options) ? scales.materials.size() : 0;
   const std::size_t cells = (materials <= few_materials ? materials : 0) +
                             (scales.fixed ? 1 : 0) + (scales.cracks ? 1 : 0) +
-                            (options.planes.empty() ? 0 : 1) + joint_entries(scales);
+                            (options.planes.empty() ? 0 : 1) + (scales.water ? 1 : 0) +
+                            joint_entries(scales);
   const double in_row = std::max(1.0, std::floor(width / cell));
   return (materials > few_materials ? many_materials_height(materials, width) : 0) +
          std::ceil(static_cast<double>(cells) / in_row) * cell_line +

@@ -71,6 +71,7 @@ void ScaleSurvey::include(const Picture& picture) {
     include_corners(picture.original_frame());
   cracks_ = cracks_ ||
             (options_.shows_cracks() && picture.cracked != nullptr && now.cracks > 0);
+  water_ = water_ || !now.water_line.empty();
   if (options_.shows_joints())
     joints_.merge(joints_of(now));
   if (options_.shows_bonds())
@@ -86,10 +87,15 @@ void ScaleSurvey::include(const Picture& picture) {
       }
   };
   if (options_.shows_faces()) {
-    centred_ = map_of(options_, Zero::middle).diverging;
-    for (const FaceMotion& motion : face_motions(now, picture.first, picture.cracked))
-      for (int mirrored = 0; mirrored <= (options_.mirror ? 1 : 0); ++mirrored)
-        include_values(face_values(options_.colour, motion, mirrored == 1));
+    const Zero zero = face_quantity(options_.colour).zero;
+    centred_ = map_of(options_, zero).diverging;
+    for (int mirrored = 0; mirrored <= (options_.mirror ? 1 : 0); ++mirrored)
+      for (const ValuedSide& side :
+           valued_sides(options_.colour, picture, mirrored == 1)) {
+        include_values(side.values);
+        if (zero == Zero::lowest)
+          least_ = std::min(least_, 0.0);
+      }
   }
   if (options_.shows_quantity()) {
     const Quantity shown =
@@ -183,7 +189,7 @@ FigureScales ScaleSurvey::scales() const {
   if (options_.shows_bonds() && bonds_.empty())
     throw std::runtime_error(no_laws_text());
   if (options_.shows_faces() && least_ > most_)
-    throw std::runtime_error(no_faces_text());
+    throw std::runtime_error(no_faces_text(options_.colour));
   if (options_.shows_families() && materials_ == std::set<int>{0})
     throw std::runtime_error("no block has split at the times drawn\n  hint: blocks "
                              "split if their material has a CRACK card");
@@ -209,6 +215,7 @@ FigureScales ScaleSurvey::scales() const {
   result.slip = slip_;
   result.fixed = fixed_;
   result.cracks = cracks_;
+  result.water = water_;
   result.block_counts = block_counts_;
   return result;
 }

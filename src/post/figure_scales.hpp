@@ -45,6 +45,7 @@ struct FigureScales {
   double slip = 0.0;                 ///< [L] the largest, if the figure shows bonds
   bool fixed = false;                ///< true if some block is fixed
   bool cracks = false;               ///< true if some picture shows faces of cracks
+  bool water = false;                ///< true if some picture has a water table
   std::set<int> block_counts;        ///< numbers of blocks of the pictures
 };
 
@@ -74,7 +75,7 @@ class ScaleSurvey {
   std::set<int> materials_, joints_, block_counts_;
   std::set<quantities::Bond> bonds_;
   double slip_ = 0.0;
-  bool fixed_ = false, cracks_ = false;
+  bool fixed_ = false, cracks_ = false, water_ = false;
 };
 
 /// Returns the scales of these frames, reading one at a time. Throws std::runtime_error

@@ -17,11 +17,17 @@ void convert(Frame& frame, const UnitScale& scale) {
   for (auto& outline : frame.outlines)
     for (Eigen::Vector2d& corner : outline)
       corner *= scale.length;
+  for (auto& sides : frame.water)
+    for (Eigen::Vector2d& pressures : sides)
+      pressures *= stress;
+  for (Eigen::Vector2d& at : frame.water_line)
+    at *= scale.length;
   frame.centroid *= scale.length;
   frame.velocity *= scale.of({1, 0, -1});
   frame.spin *= scale.of({0, 0, -1});
   frame.strain_rate *= scale.of({0, 0, -1});
   frame.force *= scale.of({0, 1, -2});
+  frame.water_force *= scale.of({0, 1, -2});
   frame.unbalanced *= scale.of({0, 1, -2});
   frame.moment *= scale.of({1, 1, -2});
   frame.kinetic_energy *= scale.of({1, 1, -2});

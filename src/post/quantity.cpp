@@ -28,7 +28,8 @@ BlockStates states_of(const Frame& f) {
           nullptr,
           &f.fixed,
           f.unbalanced.size() > 0 ? &f.unbalanced : nullptr,
-          f.local_ratio.size() > 0 ? &f.local_ratio : nullptr};
+          f.local_ratio.size() > 0 ? &f.local_ratio : nullptr,
+          f.water_force.size() > 0 ? &f.water_force : nullptr};
 }
 
 std::vector<ContactState> states_of(const FrameContacts& contacts) {
@@ -112,7 +113,7 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
   }
   throw std::runtime_error("there is no quantity '" + name +
                            "': choose material, family, joint, bond, opening, "
-                           "shear_displacement, " +
+                           "shear_displacement, water_pressure, " +
                            quantities::block_quantity_names());
 }
 

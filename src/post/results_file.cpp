@@ -41,6 +41,8 @@ void hide_removed(Frame& frame) {
     for (auto* values : {&frame.unbalanced, &frame.local_ratio})
       if (values->size() > 0)
         (*values)[b] = std::nan("");
+    if (frame.water_force.cols() > 0)
+      frame.water_force.col(b).setConstant(std::nan(""));
     for (auto* tensor : {&frame.stress, &frame.applied, &frame.strain_rate})
       tensor->col(b).setConstant(std::nan(""));
   }
@@ -72,23 +74,48 @@ void expect_in_range(const FrameContacts& contacts,
 
 }  // namespace
 
-std::vector<int> ResultsReader::File::read_joints(hsize_t i, hsize_t points) const {
-  if (!output::hdf5::exists(vtk.get(), "PointData") ||
-      !output::hdf5::exists(vtk.get(), "PointData/Joint"))
+template <class T>
+std::vector<T> ResultsReader::File::read_late(const std::string& group,
+                                              const std::string& name, hsize_t i,
+                                              hsize_t rows, hsize_t width) const {
+  const std::string data = group + "/" + name, places = group + "Offsets",
+                    offsets = places + "/" + name;
+  if (!output::hdf5::exists(vtk.get(), group) || !output::hdf5::exists(vtk.get(), data))
     return {};
-  Column stored = Column::open(vtk.get(), "PointData/Joint");
-  if (stored.width() != 1)
-    throw Failure("Joint has the wrong shape");
+  Column stored = Column::open(vtk.get(), data);
+  if (stored.width() != width)
+    throw Failure(name + " has the wrong shape");
   // A run that was interrupted while it added the data left frames without an offset.
-  if (!output::hdf5::exists(steps.get(), "PointDataOffsets") ||
-      !output::hdf5::exists(steps.get(), "PointDataOffsets/Joint") ||
-      Column::open(steps.get(), "PointDataOffsets/Joint").rows() <= i)
+  if (!output::hdf5::exists(steps.get(), places) ||
+      !output::hdf5::exists(steps.get(), offsets) ||
+      Column::open(steps.get(), offsets).rows() <= i)
     return {};
-  std::vector<int> joints =
-      stored.read<int>(step_value("PointDataOffsets/Joint", i), points);
-  if (std::any_of(joints.begin(), joints.end(), [](int joint) { return joint < 0; }))
-    throw Failure("Joint is negative");
-  return joints;
+  return stored.read<T>(step_value(offsets, i), rows);
+}
+
+std::vector<Eigen::Vector2d> ResultsReader::File::read_water_line(hsize_t i) const {
+  if (!output::hdf5::exists(own.get(), "water") ||
+      !output::hdf5::exists(own.get(), "water/count") ||
+      Column::open(own.get(), "water/count").rows() <= i)
+    return {};
+  const auto whole = [&](const char* name) {
+    const auto value = Column::open(own.get(), name).at<std::int64_t>(i);
+    if (value < 0)
+      throw Failure(std::string(name) + " is negative");
+    return static_cast<hsize_t>(value);
+  };
+  Column points = Column::open(own.get(), "water/points");
+  if (points.width() != 2)
+    throw Failure("water/points has the wrong shape");
+  const std::vector<double> rows =
+      points.read<double>(whole("water/first"), whole("water/count"));
+  std::vector<Eigen::Vector2d> line;
+  for (std::size_t k = 0; k + 1 < rows.size(); k += 2) {
+    line.emplace_back(rows[k], rows[k + 1]);
+    if (!line.back().allFinite())
+      throw Failure("water/points has values that are not finite");
+  }
+  return line;
 }
 
 std::vector<std::int64_t> ResultsReader::File::read_corner_counts(hsize_t i) const {
@@ -119,9 +146,17 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
   const auto connectivity =
       rows<std::int64_t>("Connectivity", step_value("ConnectivityIdOffsets", i), ids);
 
-  const std::vector<int> joints = read_joints(i, points);
+  const auto joints = read_late<int>("PointData", "Joint", i, points, 1);
+  if (std::any_of(joints.begin(), joints.end(), [](int joint) { return joint < 0; }))
+    throw Failure("Joint is negative");
+  const auto water = read_late<double>("PointData", "WaterPressure", i, points, 2);
+  if (std::any_of(water.begin(), water.end(),
+                  [](double p) { return !std::isfinite(p); }))
+    throw Failure("WaterPressure has values that are not finite");
   if (!joints.empty())
     frame.joints.resize(n);
+  if (!water.empty())
+    frame.water.resize(n);
   frame.outlines.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     const std::int64_t from = starts[b], to = starts[b + 1];
@@ -137,6 +172,8 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
       frame.outlines[b].emplace_back(corners.col(point));
       if (!joints.empty())
         frame.joints[b].push_back(joints[static_cast<std::size_t>(point)]);
+      if (const auto at = 2 * static_cast<std::size_t>(point); !water.empty())
+        frame.water[b].emplace_back(water[at], water[at + 1]);
     }
   }
 }
@@ -149,6 +186,9 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.step = field<std::int64_t>("Step", i);
   frame.kinetic_energy = field<double>("KineticEnergy", i);
   frame.number = cells<int>("BlockNumber", i, n, 1);
+  for (std::size_t b = 0; b < frame.number.size(); ++b)
+    if (frame.number[b] != static_cast<int>(b) + 1)
+      throw Failure("CellData/BlockNumber is out of order");
   frame.material = cells<int>("Material", i, n, 1);
   frame.fixed = cells<int>("Fixed", i, n, 1);
   if (std::any_of(frame.fixed.begin(), frame.fixed.end(), [](int fixity) {
@@ -176,6 +216,8 @@ Frame ResultsReader::File::read(hsize_t i) const {
   if (output::hdf5::exists(vtk.get(), local_ratio_column))
     frame.local_ratio = vector(cells<double>("LocalRatio", i, n, 1));
   read_outlines(i, part, n, frame);
+  frame.water_force = in_plane(read_late<double>("CellData", "WaterForce", i, n, 3));
+  frame.water_line = read_water_line(i);
   hide_removed(frame);
   return frame;
 }

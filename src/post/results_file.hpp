@@ -113,8 +113,12 @@ struct ResultsReader::File {
   std::vector<Crack> read_cracks() const;
   /// Returns Frame::parent of frame i with n blocks.
   std::vector<int> parents(hsize_t i, hsize_t n) const;
-  /// Returns the joint ids of all points of a frame; empty if the file has none.
-  std::vector<int> read_joints(hsize_t i, hsize_t points) const;
+  /// Returns data of a frame that not every file has, `width` values for each of its
+  /// rows; empty if the file has none. group: PointData or CellData.
+  template <class T>
+  std::vector<T> read_late(const std::string& group, const std::string& name, hsize_t i,
+                           hsize_t rows, hsize_t width) const;
+  std::vector<Eigen::Vector2d> read_water_line(hsize_t i) const;
   /// Returns the number of corners of each block in frame i.
   std::vector<std::int64_t> read_corner_counts(hsize_t i) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;

@@ -27,6 +27,14 @@ struct Frame {
   /// Joint id of the side that begins at each corner of `outlines`, >= 0; empty if the
   /// file has none, so all are 0.
   std::vector<std::vector<int>> joints;
+  /// [F/L^2] pressure of water at the first and the last corner of the side that begins
+  /// at each corner of `outlines`; negative at an end above the table. Empty if the file
+  /// has none.
+  std::vector<std::vector<Eigen::Vector2d>> water;
+  Eigen::Matrix2Xd water_force;  ///< [F] (2, n); empty if the file has none
+  /// [L] The water table from the left to the right, longer than the model is wide;
+  /// empty without one.
+  std::vector<Eigen::Vector2d> water_line;
   std::vector<int> number, material;
   /// The block from which each block split off, 0: none; empty if the file has none.
   std::vector<int> parent;

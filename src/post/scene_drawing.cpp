@@ -61,6 +61,7 @@ class SceneDrawing {
         draw_arrows(pen_, axes_, picture_, scales_, options_, plane);
       if (!mirrored)
         numbers();
+      water_table();
     }
     if (options_.mirror)
       centre_line();
@@ -261,6 +262,30 @@ class SceneDrawing {
     }
   }
 
+  /// Draws the water table with its sign where it leaves the picture on the left, or,
+  /// if it ends before, at its left end.
+  void water_table() {
+    const Outline& line = now_.water_line;
+    if (line.size() < 2)
+      return;
+    for (const Eigen::Vector2d& p : line)
+      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    pen_.stroke(3.2, paper, 0.8);
+    for (const Eigen::Vector2d& p : line)
+      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    pen_.stroke(1.6, water_colour);
+    // The sign stands at a twentieth of the width of the picture.
+    constexpr double part = 0.05;
+    const double x = axes_.left + part * axes_.width;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const double x0 = page_x(line[k].x()), x1 = page_x(line[k + 1].x());
+      if (!(std::min(x0, x1) <= x && x < std::max(x0, x1)))
+        continue;
+      const double y0 = axes_.y(line[k].y()), y1 = axes_.y(line[k + 1].y());
+      draw_water_sign(pen_, x, y0 + (x - x0) / (x1 - x0) * (y1 - y0));
+    }
+  }
+
   void centre_line() {
     pen_.dashes({14, 4, 3, 4});
     cairo_move_to(cairo_, axes_.x(options_.mirror_x), axes_.top);
@@ -282,6 +307,23 @@ class SceneDrawing {
 };
 
 }  // namespace
+
+void draw_water_sign(Pen& pen, double x, double y) {
+  constexpr double half = 6.0, high = 10.0;
+  cairo_t* cairo = pen.cairo();
+  cairo_move_to(cairo, x, y);
+  cairo_line_to(cairo, x - half, y - high);
+  cairo_line_to(cairo, x + half, y - high);
+  cairo_close_path(cairo);
+  pen.colour(paper);
+  cairo_fill_preserve(cairo);
+  pen.stroke(1.4, water_colour);
+  for (const auto& [wide, down] : {std::pair{5.0, 4.0}, {2.5, 7.0}}) {
+    cairo_move_to(cairo, x - wide, y + down);
+    cairo_line_to(cairo, x + wide, y + down);
+    pen.stroke(1.2, water_colour);
+  }
+}
 
 void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
                 const FigureScales& scales, const FigureOptions& options) {

@@ -18,6 +18,12 @@ void hatch(Pen& pen, const Colour& ground);
 /// the right: the blocks are on the left.
 void draw_plane(Pen& pen, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
+/// The colour of the water table.
+constexpr Colour water_colour{0.07, 0.42, 0.71};
+
+/// Draws the sign of a water table, a triangle whose tip is at a point of the page.
+void draw_water_sign(Pen& pen, double x, double y);
+
 Colour colour_of_material(int material, const FigureOptions& options);
 
 }  // namespace blocks::post

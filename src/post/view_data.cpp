@@ -14,6 +14,7 @@
 #include "post/face_sides.hpp"
 #include "post/families.hpp"
 #include "post/quantity.hpp"
+#include "post/scene_drawing.hpp"
 #include "post/view_bonds.hpp"
 #include "post/view_faces.hpp"
 #include "post/view_forces.hpp"
@@ -21,6 +22,7 @@
 #include "post/view_quantities.hpp"
 #include "post/view_shapes.hpp"
 #include "post/view_store.hpp"
+#include "post/view_water.hpp"
 
 namespace blocks::post {
 namespace {
@@ -57,6 +59,8 @@ class Packer {
       bonds_.store(store);
     if (faces_.any())
       faces_.store(store);
+    if (water_.any())
+      water_.store(store);
     PackedText packed = store.packed();
     return {meta(store, packed.bytes), std::move(packed.text)};
   }
@@ -85,6 +89,7 @@ class Packer {
     forces_.add_frame(contacts, shapes_, results_.path());
     bonds_.add_frame(contacts, shapes_);
     faces_.add_frame(now, cracked, shapes_);
+    water_.add_frame(now, shapes_);
   }
 
   /// Returns 0 for a free block, 1 for a fixed one, 2 for a removed one.
@@ -247,6 +252,13 @@ class Packer {
       for (const std::string name : {"opening", "shear_displacement"})
         json["face_quantities"].push_back(
             note_of(name, face_quantity(name), name != "opening"));
+    if (water_.any())
+      json["face_quantities"].push_back(
+          note_of("water_pressure", face_quantity("water_pressure"), false));
+    if (const Json lines = water_.lines(); !lines.is_null()) {
+      json["water_lines"] = lines;
+      json["water_colour"] = css(water_colour);
+    }
     if (bonds_.any()) {
       json["largest_slip"] = bonds_.largest_slip();
       json["slip_colours"] = colours_of({slip_colour});
@@ -268,6 +280,7 @@ class Packer {
   ViewForces forces_;
   ViewBonds bonds_;
   ViewFaces faces_;
+  ViewWater water_;
   std::vector<double> times_, energy_;
   std::vector<long> steps_;
   std::vector<long> crack_counts_;  ///< up to each frame

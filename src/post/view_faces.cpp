@@ -6,13 +6,9 @@
 namespace blocks::post {
 namespace {
 
-/// Rounds to four digits, which are more than colours show and need less space. What is
-/// less than a billionth of the length of a face becomes 0.
+/// What is less than a billionth of the length of a face becomes 0.
 float rounded(double value, double length) {
-  if (!(std::abs(value) > 1e-9 * length))
-    return 0.0F;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
-  return static_cast<float>(unit * std::round(value / unit));
+  return std::abs(value) > 1e-9 * length ? four_digits(value) : 0.0F;
 }
 
 }  // namespace

@@ -113,4 +113,11 @@ TimeGuess better_guess(const DigitColumn& column) {
   return {cost({true}) < cost({false})};
 }
 
+float four_digits(double value) {
+  if (value == 0.0)
+    return 0.0F;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+  return static_cast<float>(unit * std::round(value / unit));
+}
+
 }  // namespace blocks::post

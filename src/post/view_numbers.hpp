@@ -25,6 +25,10 @@ SixDigits six_digits_of(double value);
 /// original value. The page computes the same bits.
 float float_of(const SixDigits& number);
 
+/// Returns the four leading digits, which are more than colours show and need less
+/// space.
+float four_digits(double value);
+
 /// A column of frames x rows numbers, frame by frame.
 struct DigitColumn {
   std::size_t rows = 0;

@@ -9,7 +9,7 @@ from view_pages import run, show, with_browser
 
 # Returns opening and shear of both ends of each face, from the places of its sides in the current frame.
 FROM_PLACES = """(() => [...Array(data.face_side.length / 2).keys()].map((face) => {
-    const [own, other] = [0, 1].map((which) => face_ends(face, which));
+    const [own, other] = [0, 1].map((which) => face_ends(sides_of(face_quantity("opening")), face, which));
     const way = (side) => { const at = 2 * side, to = 2 * corner_beside(side, 1);
         const d = [corners[to] - corners[at], corners[to + 1] - corners[at + 1]], size = Math.hypot(...d);
         return d.map((part) => part / size); };

@@ -154,7 +154,7 @@ TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
   expect_refusal("-o hit.bmp", ".mp4 or .gif (a movie), found 'hit.bmp'");
   expect_refusal("--colour heat",
                  "choose material, family, joint, bond, opening, shear_displacement, "
-                 "speed, displacement, rotation");
+                 "water_pressure, speed, displacement, rotation");
   expect_refusal("--colour heat", "normal_force, overlap, shear_force");
   expect_refusal("--sheet 3 --from 7", "has times 0 to 0.04, none between 7 and 0.04");
   expect_refusal("--zoom 1,0,0,1", "xmin < xmax");

@@ -358,8 +358,8 @@ TEST_F(Plot, NamesTheChoicesIfAnOptionIsWrong) {
   EXPECT_NE(quantity.code, 0);
   EXPECT_THAT(quantity.err,
               HasSubstr("there is no quantity 'heat': choose material, family, "
-                        "joint, bond, opening, shear_displacement, speed, "
-                        "displacement, rotation, x"));
+                        "joint, bond, opening, shear_displacement, "
+                        "water_pressure, speed, displacement, rotation, x"));
   const Outcome time = plot("fall.vtkhdf -o a.png --time 99");
   EXPECT_EQ(time.code, 2);
   EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));

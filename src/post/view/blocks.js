@@ -73,6 +73,7 @@ function draw_marks(f, visible, halves) {
   if (state.original) draw_original();
   if (state.mirror) draw_mirror();
   else (meta.planes ?? []).forEach(draw_plane);
+  for (const half of halves) draw_water_table(f, half);
   if (state.labels) draw_labels(f, visible);
   state.picked.forEach((block, i) => exists(block, f) && draw_outline(pen, block, halves, mark_colour(i), 3));
   draw_picked_side(f, halves);
@@ -110,6 +111,36 @@ function draw_plane([ax, ay, bx, by]) {
     pen.moveTo(x, y); pen.lineTo(x - 6 * (tx + ty), y + 6 * (tx - ty));
   }
   pen.stroke();
+  pen.restore();
+}
+
+/// Draws the water table, with its sign at a twentieth of the width.
+function draw_water_table(f, half) {
+  const line = meta.water_lines?.[f] ?? [], places = [];
+  for (let i = 0; i < line.length; i += 2)
+    places.push(to_screen(half === corners ? line[i] : 2 * meta.mirror - line[i], line[i + 1]));
+  if (places.length < 2) return;
+  const stroke = (colour, width) => {
+    pen.strokeStyle = colour; pen.lineWidth = width;
+    pen.beginPath();
+    places.forEach((at, i) => i ? pen.lineTo(...at) : pen.moveTo(...at));
+    pen.stroke();
+  };
+  pen.save();
+  stroke("rgba(255, 255, 255, .8)", 4);
+  stroke(meta.water_colour, 2);
+  const x = 0.05 * model.clientWidth;
+  for (let i = 0; i + 1 < places.length; ++i) {
+    const [[x0, y0], [x1, y1]] = [places[i], places[i + 1]];
+    if (Math.min(x0, x1) > x || Math.max(x0, x1) <= x) continue;
+    const y = y0 + (x - x0) / (x1 - x0) * (y1 - y0);
+    pen.beginPath();
+    pen.moveTo(x, y); pen.lineTo(x - 6, y - 10); pen.lineTo(x + 6, y - 10); pen.closePath();
+    pen.fillStyle = "#fff"; pen.fill();
+    for (const [wide, down] of [[5, 5], [2.5, 8]]) { pen.moveTo(x - wide, y + down); pen.lineTo(x + wide, y + down); }
+    pen.lineWidth = 1.5;
+    pen.stroke();
+  }
   pen.restore();
 }
 

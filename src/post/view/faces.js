@@ -1,5 +1,5 @@
-// Faces between blocks in the colours of their opening or shear displacement, with the rules of
-// face_sides.cpp. Pages of blocks without common faces do not show them.
+// Faces between blocks in the colours of their opening or shear displacement, and sides in those of
+// the pressure of water, with the rules of face_sides.cpp. Pages without them do not show them.
 
 /// Returns the quantity of the colours, of blocks or of faces; nothing for materials.
 const face_quantity = (name) => (meta.face_quantities ?? []).find((q) => q.name === name);
@@ -8,11 +8,14 @@ const shows_faces = () => face_quantity(state.colour) !== undefined;
 /// Whether the sides of blocks have colours, and blocks those of their materials.
 const shows_sides = () => state.colour === "bond" || shows_faces();
 
-/// Returns the places of both ends of one side, 0 or 1, of a face, in model lengths.
-function face_ends(face, which) {
-  const from = data.face_side[2 * face + which], to = corner_beside(from, 1);
+/// The sides of the faces of a quantity: both, or the one that water presses.
+const sides_of = (q) => q.name === "water_pressure" ? {sides: data.water_side, each: [0]} : {sides: data.face_side, each: [0, 1]};
+
+/// Returns the places of both ends of one side of a face, in model lengths.
+function face_ends({sides, each}, face, which) {
+  const from = sides[each.length * face + which], to = corner_beside(from, 1);
   return [0, 1].map((end) => {
-    const part = data.face_part[4 * face + 2 * which + end];
+    const part = each.length === 1 ? end : data.face_part[4 * face + 2 * which + end];
     return [0, 1].map((axis) => corners[2 * from + axis] + part * (corners[2 * to + axis] - corners[2 * from + axis]));
   });
 }
@@ -20,7 +23,7 @@ function face_ends(face, which) {
 /// Draws the faces of the current frame, the largest values on top, and the outlines of blocks.
 function draw_faces(f, visible, halves) {
   const q = face_quantity(state.colour), [low, high] = colour_range(q), colours = colours_of(q, [low, high]);
-  const count = data.face_side.length / 2, all = data[q.name], at = (face) => 2 * (f * count + face);
+  const its = sides_of(q), count = its.sides.length / its.each.length, all = data[q.name], at = (face) => 2 * (f * count + face);
   const shade = (v) => colours[Math.round(Math.max(0, Math.min(1, (v - low) / (high - low))) * (colours.length - 1))];
   const size = (face) => Math.max(Math.abs(all[at(face)]), Math.abs(all[at(face) + 1]));
   const faces = [...Array(count).keys()].filter((face) => all[at(face)] === all[at(face)])
@@ -31,8 +34,12 @@ function draw_faces(f, visible, halves) {
   for (const half of halves) {
     const sign = half === corners || !q.odd ? 1 : -1, place = ([x, y]) => to_screen(half === corners ? x : 2 * meta.mirror - x, y);
     for (const face of faces)
-      for (const which of [0, 1]) {
-        const [from, to] = face_ends(face, which).map(place), [a, b] = [sign * all[at(face)], sign * all[at(face) + 1]];
+      for (const which of its.each) {
+        let [from, to] = face_ends(its, face, which).map(place), [a, b] = [sign * all[at(face)], sign * all[at(face) + 1]];
+        if (its.each.length === 1 && Math.min(a, b) < 0) {  // the part below the water table
+          const edge = [0, 1].map((axis) => from[axis] + a / (a - b) * (to[axis] - from[axis]));
+          if (a < 0) [from, a] = [edge, 0]; else [to, b] = [edge, 0];
+        }
         if (Math.max(from[0], to[0]) < -wide || Math.min(from[0], to[0]) > model.clientWidth + wide
           || Math.max(from[1], to[1]) < -wide || Math.min(from[1], to[1]) > model.clientHeight + wide) continue;
         const shades = pen.createLinearGradient(...from, ...to);

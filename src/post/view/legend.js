@@ -44,6 +44,7 @@ function legend_parts(wide) {
   const others = state.picked.map((b, i) => ({name: `block ${b + 1}`, ring: mark_colour(i)}));
   if (data.fixed.some((is) => is === 1)) others.push({name: "fixed", hatched: true});
   if (meta.planes && !state.mirror) others.push({name: "plane", shade: style("--ink"), line: true, dashes: []});
+  if (meta.water_lines) others.push({name: "water table", shade: meta.water_colour, line: true, dashes: []});
   if (state.cracks && data.crack && !shows_sides())
     others.push({name: "crack", shade: meta.crack_colour, line: true, dashes: []});
   if (others.length) parts.push({swatches: others});

@@ -63,7 +63,7 @@ function find_ranges() {
       if (v < low) low = v;
       if (v > high) high = v;
     }
-    across(q, low, high);
+    across(q, q.name === "water_pressure" ? 0 : low, high);
   }
   for (const q of meta.quantities) {
     let low = Infinity, high = -Infinity;
