@@ -97,6 +97,14 @@ py::array contact_forces(const std::vector<ContactForce>& contacts,
   return sums;
 }
 
+py::array water_forces(const Model& model) {
+  Eigen::Matrix2Xd forces;
+  WaterNow(model.loads.water, model.time).forces_on(model.blocks, forces);
+  py::array_t<double> rows({static_cast<py::ssize_t>(forces.cols()), py::ssize_t{2}});
+  std::copy_n(forces.data(), forces.size(), rows.mutable_data());
+  return rows;
+}
+
 py::array crack_table(const Model& model) {
   std::vector<CrackRow> rows;
   for (const CrackRecord& crack : model.cracks) {

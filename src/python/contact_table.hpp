@@ -17,6 +17,9 @@ pybind11::array contact_table(const std::vector<ContactForce>& contacts,
 /// Returns the sum of the contact forces on each block, (n, 2) [F].
 pybind11::array contact_forces(const std::vector<ContactForce>& contacts,
                                const Blocks& blocks);
+
+/// Returns the force of water on each block at the present positions, [F], (n, 2).
+pybind11::array water_forces(const Model& model);
 /// Returns a row for each crack so far.
 pybind11::array crack_table(const Model& model);
 /// Makes the types of the rows known to NumPy. Call it once.

@@ -149,6 +149,7 @@ void bind_simulation(py::module_& module) {
   value("contact_force", [](DrivenModel& self) {
     return contact_forces(self.contacts(), self.blocks());
   });
+  value("water_force", [](DrivenModel& self) { return water_forces(self.model()); });
   value("cracks", [](DrivenModel& self) { return crack_table(self.model()); });
 }
 

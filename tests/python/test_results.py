@@ -246,6 +246,37 @@ def test_states_of_laws_are_missing_without_laws(files):
         assert last["bonded"].any() and last["law"].any()
 
 
+WET = BONDED.split("JOINT")[0] + """GRAVITY, 0, -10
+PLOTS, .01
+MOTION, .01
+WATER, 5000, 2
+0, .8
+3, 1.4
+CYCLE, 2
+STOP
+"""
+
+
+def test_water(tmp_path):
+    (tmp_path / "wet.deck").write_text(WET)
+    run("run", tmp_path / "wet.deck", "-o", tmp_path / "wet")
+    results = read(tmp_path / "wet.vtkhdf")
+    dry, wet = results[0], results[-1]
+    assert dry.water_table.shape == (0, 2) and not dry.water_pressure.any() and not dry.water_force.any()
+    line = wet.water_table
+    assert line[0][0] < 0 and (np.diff(line[:, 0]) > 0).all()
+    # The pressure at each corner is that of its depth; on dry sides it is 0.
+    depth = np.interp(wet.corners[:, 0], line[:, 0], line[:, 1]) - wet.corners[:, 1]
+    pressed = wet.water_pressure.any(axis=1)
+    assert np.allclose(wet.water_pressure[pressed, 0], 5000 * depth[pressed])
+    assert (depth[~pressed] <= 0).all() and pressed.sum() > 8
+    # Drowned: the weight of the water, and its slope.
+    assert np.allclose(wet.water_force[1], [-5000 * 0.2 * 0.5, 5000 * 0.5])
+    assert np.array_equal(wet.quantity("water_y"), wet.water_force[:, 1])
+    sim = blocks.Simulation(blocks.Deck(WET))
+    assert np.allclose(sim.water_force, wet.water_force, rtol=1e-3)
+
+
 def test_shapes(opened):
     for frame in opened:
         n = len(frame)

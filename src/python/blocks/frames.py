@@ -26,9 +26,10 @@ if TYPE_CHECKING:
 __all__ = ["Frame"]
 
 # Columns of the cell arrays that have more than one.
-_WIDTHS = {"Centroid": 3, "Velocity": 3, "Force": 3, "Stress": 4, "AppliedStress": 4, "StrainRate": 4}
+_WIDTHS = {"Centroid": 3, "Velocity": 3, "Force": 3, "Stress": 4, "AppliedStress": 4, "StrainRate": 4, "WaterForce": 3}
 # Cell arrays that the program writes with every frame.
 _OF_EVERY_FRAME = {*_WIDTHS, "BlockNumber", "Material", "Fixed", "Area", "Mass", "Inertia", "Angle", "Spin", "Moment"}
+_OF_EVERY_FRAME -= {"WaterForce"}
 _REMOVED = 3  # value of the cell array Fixed for a removed block
 
 _Floats = NDArray[np.float64]
@@ -115,10 +116,10 @@ class Frame:
     # Shape
 
     @functools.cached_property
-    def _outlines(self) -> tuple[_Floats, _Integers, _Integers]:
-        """Corners of all blocks that are not removed, where each block begins, and joint ids."""
+    def _outlines(self) -> tuple[_Floats, _Integers, _Integers, _Floats]:
+        """Corners of all blocks that are not removed, where each block begins, joint ids and pressures of water."""
 
-        def action(file: h5py.File) -> tuple[_Floats, _Integers, _Integers]:
+        def action(file: h5py.File) -> tuple[_Floats, _Integers, _Integers, _Floats]:
             vtk, i = file["VTKHDF"], self.index
             steps = vtk["Steps"]
             part = int(steps["PartOffsets"][i])
@@ -132,23 +133,27 @@ class Frame:
             starts = vtk["Offsets"][first : first + blocks + 1]
             first = int(steps["ConnectivityIdOffsets"][i])
             order = vtk["Connectivity"][first : first + ids]
-            joint = np.zeros(points, np.int32)
-            offsets = steps.get("PointDataOffsets/Joint")
-            if offsets is not None and offsets.shape[0] > i:
-                first = int(offsets[i])
-                joint = vtk["PointData/Joint"][first : first + points]
+            def late(name: str, empty: NDArray[Any]) -> NDArray[Any]:
+                offsets = steps.get(f"PointDataOffsets/{name}")
+                if offsets is None or offsets.shape[0] <= i:
+                    return empty
+                return vtk[f"PointData/{name}"][int(offsets[i]) : int(offsets[i]) + points]
+
+            joint = late("Joint", np.zeros(points, np.int32))
+            water = late("WaterPressure", np.zeros((points, 2)))
             expected("Points", corners, (points, 2), "f")
             expected("Offsets", starts, (blocks + 1,), "iu")
             expected("Connectivity", order, (ids,), "iu")
             expected("PointData/Joint", joint, (points,), "iu")
+            expected("PointData/WaterPressure", water, (points, 2), "f")
             if starts[0] != 0 or starts[-1] != ids or (np.diff(starts) < 0).any():
                 raise ValueError("Offsets is out of range")
             if ((order < 0) | (order >= points)).any():
                 raise ValueError("Connectivity is out of range")
-            return corners[order], starts, joint[order]
+            return corners[order], starts, joint[order], water[order]
 
-        corners, starts, joint = self.results._file.read(action)
-        return frozen(corners), frozen(starts), frozen(joint)
+        corners, starts, joint, water = self.results._file.read(action)
+        return frozen(corners), frozen(starts), frozen(joint), frozen(water)
 
     @property
     def corners(self) -> _Floats:
@@ -164,6 +169,27 @@ class Frame:
     def joint(self) -> _Integers:
         """(m,) joint id of the side that begins at each corner; 0: none."""
         return self._outlines[2]
+
+    @property
+    def water_pressure(self) -> _Floats:
+        """(m, 2) [F/L^2] pressure of water at both ends of the side that begins at each corner.
+
+        It is 0 on dry sides, and negative at an end that lies above the water table.
+        """
+        return self._outlines[3]
+
+    @functools.cached_property
+    def water_table(self) -> _Floats:
+        """(k, 2) [L] the water table as a line from the left to the right; (0, 2) without one."""
+
+        def action(file: h5py.File) -> _Floats:
+            water = file.get("BLOCKS/water")
+            if water is None or "count" not in water or water["count"].shape[0] <= self.index:
+                return np.zeros((0, 2))
+            first, count = int(water["first"][self.index]), int(water["count"][self.index])
+            return expected("BLOCKS/water/points", water["points"][first : first + count], (count, 2), "f")
+
+        return frozen(self.results._file.read(action))
 
     @functools.cached_property
     def polygons(self) -> list[_Floats]:
@@ -222,6 +248,11 @@ class Frame:
     def force(self) -> _Floats:
         """(n, 2) [F] of contacts, planes and loads, without gravity."""
         return self["Force"][:, :2]
+
+    @property
+    def water_force(self) -> _Floats:
+        """(n, 2) [F] of water on each block, which is part of `force`; 0 without water."""
+        return self["WaterForce"][:, :2] if "WaterForce" in self else frozen(np.zeros((len(self), 2)))
 
     @property
     def moment(self) -> _Floats:

@@ -105,6 +105,7 @@ class Simulation(_blocks.Simulation, Selectors):
             `closure`, `plastic_closure`, `length` [L], `normal_stiffness` and `shear_stiffness` [F/L].
             A copy.
         contact_force: (n, 2) [F] sum of the contact forces on each block in the last step. A copy.
+        water_force: (n, 2) [F] of water on each block where it is now; 0 without WATER. A copy.
         cracks: structured array, a row for each crack so far: `step`, `time`, `parent`, `child`, `cause`
             (0: stress, 1: point loads), `stress` [F/L^2], `begin`, `end` [L], `parent_area`, `child_area`
             [L^2] and `released` [F L]. A copy.
