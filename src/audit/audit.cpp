@@ -10,6 +10,7 @@
 #include "audit/kept_pairs.hpp"
 #include "audit/make_exact_rule.hpp"
 #include "audit/plane_findings.hpp"
+#include "audit/water_findings.hpp"
 #include "geometry/overlap.hpp"
 #include "model/compression.hpp"
 
@@ -195,6 +196,7 @@ Findings audit(const Moment& moment) {
   Findings found = Auditor(moment).run();
   found.wrong_at_planes = plane_faults(moment);
   found.behind = deepest_behind_plane(moment);
+  found.water = worst_water(moment);
   return found;
 }
 

@@ -49,6 +49,12 @@ struct PlaneFault {
   bool acts = false;  ///< false: it is behind the plane, but does not act
 };
 
+/// A block whose force of water is not exact.
+struct WaterError {
+  int block = -1;      ///< -1: none has an error
+  double share = 0.0;  ///< error of the force, of gamma times the area of the block
+};
+
 /// A corner behind a symmetry plane.
 struct BehindPlane {
   int plane = 0, corner = 0;
@@ -64,6 +70,7 @@ struct Findings {
   std::vector<WrongPair> wrong;
   std::vector<PlaneFault> wrong_at_planes;
   BehindPlane behind;  ///< the deepest corner behind a plane; depth 0: there is none
+  WaterError water;    ///< the largest error of a force of water
   long late = 0;  ///< pairs whose kept decision was exact when it was made, but not now
   std::vector<ExcessOverlap> excess;  ///< the worst first
   /// The worst of all pairs, even if it is no finding. If there is none, excess() is 0.
@@ -109,6 +116,8 @@ struct Moment {
   /// The decisions that the step made or kept, in the numbers of the steps.
   KeptDecisions kept = {};
   std::vector<PlaneContact> plane_contacts = {};  ///< after the step
+  Water water = {};
+  double time = 0.0;  ///< [T] of the forces
 };
 
 /// Audits all pairs of blocks that are near each other.

@@ -40,6 +40,15 @@ struct AuditedPlane {
   double pressed = 0.0;  ///< [L] compression of its spring, FN / Kn
 };
 
+/// A block whose force of water is not exact, at the audit where the error was largest.
+struct AuditedWater {
+  int block = 0;  ///< from 0
+  long step = 0;
+  double time = 0.0;    ///< [T]
+  double share = 0.0;   ///< error of the force, of gamma times the area of the block
+  bool tested = false;  ///< there was a water table
+};
+
 /// Totals over all audits of a run.
 struct AuditTotals {
   long every = 0;    ///< steps between audits
@@ -55,6 +64,7 @@ struct AuditTotals {
   AuditedContact deepest;              ///< even if no finding; excess() 0: none
   std::vector<AuditedContact> deep;    ///< findings, one per contact
   AuditedPlane behind;                 ///< depth 0: there is none
+  AuditedWater water;
   std::vector<std::string> faults;  ///< wrong pairs, missed pairs and planes, in words
 };
 

@@ -128,6 +128,12 @@ Json audited(const AuditedContact& contact) {
           {"spring_pressed_in", contact.pressed}};
 }
 
+Json audited(const AuditedWater& water) {
+  return {{"block", water.block + 1},
+          {"step", water.step},
+          {"time", water.time},
+          {"error", water.share}};
+}
 Json audited(const AuditedPlane& corner) {
   return {
       {"plane", corner.plane + 1}, {"corner", {corner.block + 1, corner.corner + 1}},
@@ -167,6 +173,7 @@ Json audit(const std::optional<AuditTotals>& totals) {
        totals->deepest.excess() > 0.0 ? audited(totals->deepest) : Json()},
       {"deepest_behind_plane",
        totals->behind.depth > 0.0 ? audited(totals->behind) : Json()},
+      {"worst_water", totals->water.tested ? audited(totals->water) : Json()},
       {"faults", totals->faults},
       {"excess_overlaps", worst_of(totals->excess)},
       {"deepest_contacts", worst_of(totals->deep)}};

@@ -28,13 +28,21 @@ void AuditWatch::before(const Model& model) {
 
 AuditWatch::Verdict AuditWatch::after(const Model& model,
                                       std::vector<audit::BlockPair> listed) {
-  const audit::Moment moment{
-      blocks_,           model.contacts,      model.settings, left_,
-      std::move(listed), model.order,         held_,          model.joint_states,
-      model.kept,        model.plane_contacts};
+  const double time = model.time - model.time_step.dt;  // of the decision
+  const audit::Moment moment{blocks_,
+                             model.contacts,
+                             model.settings,
+                             left_,
+                             std::move(listed),
+                             model.order,
+                             held_,
+                             model.joint_states,
+                             model.kept,
+                             model.plane_contacts,
+                             model.loads.water,
+                             time};
   const audit::Findings found = audit::audit(moment);
   const long step = model.steps;
-  const double time = model.time - model.time_step.dt;  // time of the decision
   ++totals_.moments;
   totals_.pairs += found.pairs, totals_.acting += found.acting;
   totals_.missed += static_cast<long>(found.missed.size());
@@ -71,6 +79,9 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
                       step,       time, now.depth,
                       now.pressed};
   }
+  if (found.water.share > totals_.water.share)
+    totals_.water = {found.water.block, step, time, found.water.share};
+  totals_.water.tested |= !model.loads.water.table.none();
   totals_.faults.insert(totals_.faults.end(), verdict.faults.begin(),
                         verdict.faults.end());
 
@@ -130,7 +141,7 @@ std::string AuditWatch::closing() const {
       "decisions: {}; kept decisions that would differ now: {}; pairs of blocks that "
       "overlap "
       "more than their contacts explain: {} (worst {:.3g}); contacts deeper than the "
-      "overlap of their blocks: {} (worst {:.3g}){}",
+      "overlap of their blocks: {} (worst {:.3g}){}{}",
       counted(totals_.every, "step"), counted(totals_.moments, "audit"),
       counted(totals_.pairs, "pair"), counted(totals_.acting, "acting contact"),
       totals_.missed, totals_.wrong, totals_.late, totals_.excess.size(),
@@ -140,6 +151,11 @@ std::string AuditWatch::closing() const {
                 "; wrong contacts with symmetry planes: {}; deepest corner behind "
                 "one: {:.3g}",
                 totals_.wrong_at_planes, totals_.behind.depth)
+          : "",
+      totals_.water.tested
+          ? fmt::format("; largest error of a force of water: {:.1g} of the weight of "
+                        "water in place of the block",
+                        totals_.water.share)
           : "");
 }
 
