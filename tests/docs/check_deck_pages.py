@@ -242,6 +242,15 @@ def cut_slope(results, folder):
     yield r"after # steps of SOLVE", results.summary["solves"][0]["steps"]
 
 
+def wet_slope(results, folder):
+    blocks(folder, "fos", "-q", SOURCE / "decks/wet_slope/wet_slope.deck", "--width", ".02", "-o", folder / "wet_slope")
+    found = Results(folder / "wet_slope", 0).summary["factor_of_safety"]
+    yield r"to between # and", found["lower"]
+    yield r"between 1.328125 and #\.", found["upper"]
+    yield r"after # steps, and", results.summary["solves"][0]["steps"]
+    yield r"# steps when the table", results.summary["solves"][1]["steps"]
+
+
 # Long runs. What the pages of these decks say is checked without them.
 SHORT = {"subsidence": ["MOTION.dt=0.001"],
          "cohesive_slope": ["MOTION[1].dt=0.01", "MOTION[2].dt=0.01"],

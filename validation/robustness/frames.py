@@ -117,11 +117,12 @@ class Doubled:
                "CLOOP": {2: 2, 3: 2}, "GRAVITY": {1: 2, 2: 2}, "SETVEL": {3: 2, 4: 2},
                "SETVELM": {2: 2, 3: 2}, "FORCE": {2: 2, 3: 2}, "SPLANE": {1: 2, 2: 2, 3: 2, 4: 2},
                "DRIVE": {2: 2, 3: 2}, "LAYER": {k: 2 for k in range(3, 11)}, "INSITU": {4: .5, 5: .5, 6: .5},
-               "JOINT": {9: 2, 10: 0.5, 11: 0.5}, "QUIET": {3: 2, 4: 2}}
+               "JOINT": {9: 2, 10: 0.5, 11: 0.5}, "QUIET": {3: 2, 4: 2}, "WATER": {1: .5},
+               "JWATER": {2: 2, 3: 2, 5: 2, 6: 2, 8: 2}}
     SAME = {"START", "STIFF", "RIGID", "FRACTION", "SEED", "END", "FUNCTION", "FIX", "FRICTN", "DAMPING",
             "MERGE", "ORIENT", "PRESSBC", "PLOTS", "MOTION", "CYCLE", "STOP", "JPAIR", "BOND", "LOCDAMP",
             "KINDAMP", "SOLVE", "MSCALE", "MDAMP", "REMOVE", "FREE", "CREATE"}
-    WITH_LENGTHS = ("CREATE", "LAYER", "REMOVE", "FREE")  # lines of lengths follow
+    WITH_LENGTHS = ("CREATE", "LAYER", "REMOVE", "FREE", "WATER")  # lines of lengths follow
 
     def put(self, text):
         out, owner, title = [], "", False

@@ -35,7 +35,7 @@ FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "
 def turned(text, degrees, shift=(0.0, 0.0)):
     """Returns the deck in a frame turned anticlockwise and then shifted. It turns the corners of
     CREATE, OUTLINE, LAYER, REMOVE and FREE, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE,
-    DRIVE, JSET and INSITU, and enlarges the domain. Raises ValueError for a card that it cannot
+    DRIVE, JSET, INSITU, WATER and JWATER, and enlarges the domain. Raises ValueError for a card that it cannot
     turn (READ9, RESTART, INSITU with a gradient) or that continues on the next line."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
@@ -93,6 +93,15 @@ def turned(text, degrees, shift=(0.0, 0.0)):
             fixed = len(card) > 3 and card[3] not in ("", "0")
             made = polygon(points, fixed, int(card[2])).rstrip().splitlines()
             out += made if name == "CREATE" else [line, *made[1:]]
+        elif name == "WATER":
+            out.append(line)
+            points = [turn(*numbers(2), shift) for _ in range(int(real(card, 2)))]
+            out += [f"{x:.17g}, {y:.17g}" for x, y in points]
+        elif name == "JWATER":
+            card += [""] * (10 - len(card))
+            for first in (2, 5):
+                card[first:first + 2] = (f"{v:.17g}" for v in turn(real(card, first), real(card, first + 1), shift))
+            out.append(", ".join(card))
         elif name == "JSET":
             card += [""] * (12 - len(card))
             card[2] = f"{real(card, 2) + degrees:.15g}"
@@ -129,7 +138,7 @@ def turned(text, degrees, shift=(0.0, 0.0)):
 
 def mirrored(text):
     """Returns the deck with left and right exchanged, x to -x. It mirrors the corners of CREATE,
-    whose first corner stays the first one, GRAVITY and FORCE. Raises ValueError for other cards
+    whose first corner stays the first one, GRAVITY, FORCE, WATER and JWATER. Raises ValueError for other cards
     that it cannot mirror."""
     lines, out, at = text.splitlines(), [], 0
     while at < len(lines):
@@ -143,6 +152,15 @@ def mirrored(text):
             points = [(-x, y) for x, y in zip(xs, ys)]
             fixed = len(card) > 3 and card[3] not in ("", "0")
             out += polygon([points[0], *points[:0:-1]], fixed, int(card[2])).splitlines()
+        elif name == "WATER":
+            points = [[float(word) for word in row.split(",")] for row in lines[at:at + int(card[2])]]
+            at += len(points)
+            out += [line, *(f"{-x:.17g}, {y:.17g}" for x, y in reversed(points))]
+        elif name == "JWATER":
+            for field in (2, 5):
+                if len(card) > field and card[field]:
+                    card[field] = f"{-float(card[field]):.17g}"
+            out.append(", ".join(card))
         elif name in ("GRAVITY", "FORCE"):
             field = 1 if name == "GRAVITY" else 2
             card[field] = f"{-float(card[field]):.15g}"
