@@ -57,6 +57,13 @@ double roundest(double first, double last, double step) {
   }
 }
 
+std::size_t longest(const std::vector<std::string>& labels) {
+  std::size_t most = 0;
+  for (const std::string& label : labels)
+    most = std::max(most, label.size());
+  return most;
+}
+
 }  // namespace
 
 std::string TickLabels::titled(const std::string& name) const {
@@ -88,25 +95,39 @@ TickLabels label_ticks(double lower, double upper, int count, Offset kind) {
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : upper - lower;
   const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
   double offset = 0.0;
-  const double most =
-      kind == Offset::of_large_numbers ? std::min(1e5, 1e5 * step) : 1e5 * step;
-  if (span > 0.0 && largest >= most)
+  const bool is_place =
+      kind == Offset::of_large_numbers && largest >= 1e4 && span < 0.1 * largest;
+  if (span > 0.0 && (is_place || largest >= 1e5 * step))
     offset = roundest(ticks.front(), ticks.back(), step);
   if (offset != 0.0)
     result.offset = fmt::format("{:+.15g}", offset);
-  if (offset == 0.0 && (largest >= 1e4 || largest < 1e-3) && largest > 0.0)
-    result.power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
-  const double counted = std::pow(10.0, -result.power);
   std::string decimals = "{:g}";
   if (offset != 0.0 && step < 0.9e-4)  // avoids -5e-05 next to -0.0001
     decimals = fmt::format("{{:.{}f}}", -std::floor(std::log10(step) + 1e-3));
-  for (const double tick : ticks) {
-    const double rest = tick - offset;
-    // The difference carries the rounding error of the tick; round it off.
-    const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-3));
-    const double round = offset == 0.0 ? rest : std::round(rest / power) * power;
-    result.labels.push_back(
-        round == 0.0 ? "0" : fmt::format(fmt::runtime(decimals), round * counted));
+  const auto labels = [&](int power) {
+    std::vector<std::string> texts;
+    const double counted = std::pow(10.0, -power);
+    for (const double tick : ticks) {
+      const double rest = tick - offset;
+      // The difference carries the rounding error of the tick; round it off.
+      const double unit = std::pow(10.0, std::floor(std::log10(step) + 1e-3));
+      const double round = offset == 0.0 ? rest : std::round(rest / unit) * unit;
+      texts.push_back(
+          round == 0.0 ? "0" : fmt::format(fmt::runtime(decimals), round * counted));
+    }
+    return texts;
+  };
+  result.labels = labels(0);
+  if (offset != 0.0 || !(largest > 0.0))
+    return result;
+  const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
+  std::vector<std::string> scaled = labels(power);
+  // Wide labels take their room from the picture.
+  constexpr std::size_t wide = 4;
+  const std::size_t plain = longest(result.labels);
+  if (largest >= 1e5 || largest < 1e-3 || (plain > wide && longest(scaled) < plain)) {
+    result.power = power;
+    result.labels = std::move(scaled);
   }
   return result;
 }

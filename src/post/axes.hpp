@@ -44,12 +44,13 @@ struct TickLabels {
 /// Whether an offset is subtracted from the labels of an axis.
 enum class Offset {
   of_long_labels,    ///< if they would need more than five digits
-  of_large_numbers,  ///< also in place of a power of ten
+  of_large_numbers,  ///< also if they are from 10,000 and near each other
 };
 
 /// Returns about `count` ticks. A common offset is subtracted from the labels as
-/// `offset` says. Without an offset, values from 100,000 or below a thousandth are
-/// labelled in powers of ten.
+/// `offset` says. Without an offset, labels are in powers of ten if the values are from
+/// 100,000 or below a thousandth, or if that makes labels of more than four characters
+/// shorter.
 TickLabels label_ticks(double lower, double upper, int count,
                        Offset offset = Offset::of_long_labels);
 

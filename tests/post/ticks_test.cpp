@@ -38,6 +38,14 @@ TEST(Ticks, OfLargeAndSmallNumbersHaveAPowerOfTenInTheTitle) {
   EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
   EXPECT_EQ(label_ticks(0, 5e3, 4).titled("x [m]"), "x [m]");
   EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [10³ m]");
+  EXPECT_EQ(label_ticks(-6e3, 0, 4).titled("v"), "v [10³]");
+  const TickLabels fine = label_ticks(0.0489, 0.049, 4);
+  EXPECT_EQ(fine.titled("y [m]"), "y [10⁻³ m]");
+  EXPECT_EQ(fine.labels.back(), "49");
+  EXPECT_EQ(label_ticks(0, 0.05, 5).titled("y [m]"), "y [m]") << "0.05 is short";
+  // Places in kilometres are no shorter in powers of ten.
+  const TickLabels far = label_ticks(12000, 12045, 5, Offset::of_large_numbers);
+  EXPECT_EQ(far.axis_title("x [m]"), "x − 12000 [m]");
 }
 // The other axis has an offset.
 TEST(Ticks, HaveAnOffsetInsteadOfAPowerOfTen) {

@@ -16,9 +16,12 @@ const tick_text = (t) => {
 
 /// Large and small numbers are shown in powers of ten, which are written with the unit.
 const superscript = (n) => String(n).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
-function power_of(low, high) {
-  const most = Math.max(Math.abs(low), Math.abs(high));
-  return most >= 1e4 || (most > 0 && most < 1e-3) ? 3 * Math.floor(Math.log10(most) / 3) : 0;
+/// Returns the power for these ticks: if they are very large or small, or if that makes wide labels shorter.
+function power_of(ticks) {
+  const most = Math.max(...ticks.map(Math.abs)), power = most > 0 ? 3 * Math.floor(Math.log10(most) / 3 + 1e-9) : 0;
+  const longest = (by) => Math.max(...ticks.map((t) => tick_text(t / 10 ** by).length));
+  if (most >= 1e5 || (most > 0 && most < 1e-3)) return power;
+  return longest(0) > 4 && longest(power) < longest(0) ? power : 0;
 }
 const titled = (label, unit, power) => with_unit(label, [power ? `10${superscript(power)}` : "", unit].filter(Boolean).join(" "));
 
@@ -37,7 +40,7 @@ function label_ticks(low, high, count, name, unit) {
   // The difference carries the rounding error of the tick; round it off.
   const digit = 10 ** Math.floor(Math.log10(step) + 1e-3);
   const rest = (t) => offset ? Math.round((t - offset) / digit) * digit : t;
-  const power = power_of(...(offset ? [rest(ticks[0]), rest(ticks.at(-1))] : [low, high]));
+  const power = power_of(ticks.map(rest));
   const from = offset ? ` ${offset < 0 ? "+" : "−"} ${Math.abs(offset)}` : "";
   return {ticks: ticks.map((t) => [t, tick_text(rest(t) / 10 ** power)]), title: titled(name + from, unit, power)};
 }
