@@ -91,15 +91,24 @@ class Generator {
 
   void prepare(const deck::Jset& card) {
     geometry::JointSet set = joint_set(card, key("JSET", card.id.value));
-    if (const geometry::JointSet near = started_at_outline(set);
-        !card.x0.given && !card.y0.given && is_far(set, near)) {
-      set = near;
-      diagnostics_.warning(
-          card.where, "JSET",
-          fmt::format("the set starts at the first corner of the outline, ({:.9g}, "
-                      "{:.9g}), because (0, 0) is far away",
-                      set.start.x.value(), set.start.y.value()),
-          "give x0 and y0 if it continues across outlines, or to choose another start");
+    if (!card.x0.given && !card.y0.given) {
+      const geometry::JointSet near = started_at_outline(set);
+      // Joints that run through turn about the point nearest to the start.
+      const bool turns =
+          card.ddev.value.value() > 0.0 && card.trace.value.value() == 0.0;
+      const bool is_far = sizes_away(set) > (turns ? 10.0 : 1000.0);
+      if (is_far || has_many_before(set, near)) {
+        set = near;
+        diagnostics_.warning(
+            card.where, "JSET",
+            fmt::format("the set starts at the first corner of the outline, ({:.9g}, "
+                        "{:.9g}), because {}",
+                        set.start.x.value(), set.start.y.value(),
+                        is_far ? "(0, 0) is far away"
+                               : "many joints would lie between it and (0, 0)"),
+            "give x0 and y0 if it continues across outlines, or to choose another "
+            "start");
+      }
     }
     guarded(card.space.where, "JSET", [&] {
       expect(geometry::expected_pieces(set, around_.outline), card.space.where, "JSET");
@@ -118,18 +127,20 @@ class Generator {
       return std::numeric_limits<double>::infinity();
     }
   }
-  /// Whether the set starts more than 1,000 sizes of the outline away, where joints of
-  /// various dips have lost their order, or many tracks or traces are between its start
-  /// and the outline, compared with the same set that starts at the outline.
-  bool is_far(const geometry::JointSet& set, const geometry::JointSet& near) const {
-    constexpr double sizes = 1000.0;
-    constexpr double many = 1e5;  // check_room() counts 720 MB for them
+  /// Returns how far the start is outside of the outline, in sizes of the outline.
+  double sizes_away(const geometry::JointSet& set) const {
     Eigen::AlignedBox2d box;
     for (const geometry::DecimalPoint& corner : around_.outline)
       box.extend(Eigen::Vector2d(corner.x.value(), corner.y.value()));
     const Eigen::Vector2d start(set.start.x.value(), set.start.y.value());
-    return box.exteriorDistance(start) > sizes * box.diagonal().norm() ||
-           pieces(set) - pieces(near) > many;
+    return box.exteriorDistance(start) / box.diagonal().norm();
+  }
+  /// Whether many tracks or traces are between the start of the set and the outline,
+  /// compared with the same set that starts at the outline.
+  bool has_many_before(const geometry::JointSet& set,
+                       const geometry::JointSet& near) const {
+    constexpr double many = 1e5;  // check_room() counts 720 MB for them
+    return pieces(set) - pieces(near) > many;
   }
   void prepare(const deck::Voronoi& card) {
     std::string places;  // so that equal cards cut different outlines differently

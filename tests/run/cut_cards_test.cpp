@@ -300,7 +300,7 @@ TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
 
 // 6e6 traces would lie between (0, 0) and this outline: fewer than one card may make,
 // but more than a small machine has memory for.
-TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
+TEST_F(CutCards, SetsOfTracesInNationalCoordinatesBeginAtTheOutline) {
   std::string cards = start();
   cards.replace(cards.find("XLIMITS"), cards.find("BOXES") - cards.find("XLIMITS"),
                 "XLIMITS, 349900, 350200\nYLIMITS, 5599900, 5600200\n");
@@ -324,6 +324,24 @@ TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(times_in(run.err), 3) << run.err;
   EXPECT_EQ(times_in(slurp(folder_ / "a.out")), 3);
+}
+
+// A joint that deviates turns about the point nearest to the start. From far away, the
+// joints of a set have lost their order.
+TEST_F(CutCards, JointsThatDeviateBeginAtAnOutlineTenSizesAway) {
+  const auto said = [&](double x, const std::string& ddev) {
+    std::string cards = start();
+    cards.replace(cards.find("XLIMITS"), cards.find("BOXES") - cards.find("XLIMITS"),
+                  "XLIMITS, -1000, 1000\nYLIMITS, -1000, 1000\n");
+    folder_.write("a.deck", cards + fmt::format("OUTLINE, 4, 1\n{0}, {0}, {1}, {1}\n"
+                                                "0, 10, 10, 0\nJSET, 1, 30, {2}, 1\n"
+                                                "CUT\nCYCLE, 1\n",
+                                                x, x + 10, ddev));
+    return blocks("check a.deck", folder_.path()).err;
+  };
+  EXPECT_THAT(said(200, "5"), HasSubstr("because (0, 0) is far away"));
+  EXPECT_THAT(said(100, "5"), Not(HasSubstr("JSET")));
+  EXPECT_THAT(said(200, ""), Not(HasSubstr("JSET")));
 }
 
 TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
