@@ -75,6 +75,16 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   checked_blocks_ = moved_blocks_ = blocks.size();
 }
 
+void Builder::check_despite_errors(const Command& command) {
+  if (model_.blocks.count_present() == 0 || most_missing(command.where.line) > 0)
+    return;
+  const auto is_unread = [&](const char* card) { return unread_.has(card); };
+  constexpr const char* of_the_step[] = {"FRACTION", "DAMPING", "LOCDAMP", "KINDAMP"};
+  if (std::none_of(std::begin(of_the_step), std::end(of_the_step), is_unread))
+    check_fraction(command);
+  check_planes();
+}
+
 void Builder::check_room(const Command& command) {
   const double ctol = model_.settings.contact_tolerance, memory = physical_memory();
   const LikelyList list = likely_list(model_.blocks, 2.0 * ctol);

@@ -84,6 +84,8 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
       builder.check_plausibility(command);
       // A resumed run checks in place itself.
       builder.check_before_motion(command, !has_moved && !job.resumes);
+    } else if (!has_moved && !job.resumes) {
+      builder.check_despite_errors(command);
     }
     if (!std::exchange(has_moved, true))
       start = model;

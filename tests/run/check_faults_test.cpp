@@ -160,5 +160,19 @@ TEST_F(CheckFaults, AreReportedBeforeTheCheckpointIsRead) {
                     Not(HasSubstr("absent.h5"))));
 }
 
+// Planes and the time step do not depend on the fault of another card.
+TEST_F(CheckFaults, DoNotHideThoseOfPlanesAndOfTheStep) {
+  EXPECT_THAT(
+      faults_of(preliminary() + square + "SPLANE, 5, 0, 5, -5\nFIX, 9\nCYCLE, 1\n"),
+      AllOf(HasSubstr("no block 9"),
+            HasSubstr("all blocks are on the wrong side of the plane"),
+            HasSubstr("2 errors")));
+  std::string coarse = preliminary() + square + square + "FRICTN, -1\nCYCLE, 1\n";
+  coarse.replace(coarse.find("FRACTION, 0.02"), 14, "FRACTION, 0.9");
+  EXPECT_THAT(faults_of(coarse),
+              AllOf(HasSubstr("fric must be >= 0"), HasSubstr("FRACTION 0.9"),
+                    HasSubstr("2 errors")));
+}
+
 }  // namespace
 }  // namespace blocks::testing
