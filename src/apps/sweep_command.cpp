@@ -72,7 +72,7 @@ void write_new_plan(const std::string& folder, const sweep::Plan& plan) {
       throw std::runtime_error(fmt::format(
           "{} is the folder of another sweep: {}\n  hint: choose another folder with "
           "-o; 'blocks sweep {}' goes on with that sweep",
-          folder, other, run::shell_word(folder)));
+          folder, other, run::shell_path(folder)));
   } else if (fs::exists(fs::path(folder) / "runs", ignored)) {
     throw std::runtime_error(fmt::format(
         "{} has runs but no sweep.json\n  hint: choose another folder with -o",

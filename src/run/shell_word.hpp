@@ -9,4 +9,7 @@ namespace blocks::run {
 /// is in single quotes only if it needs them.
 std::string shell_word(const std::string& text);
 
+/// The same for a path, which no program takes for an option.
+std::string shell_path(const std::string& path);
+
 }  // namespace blocks::run

@@ -66,7 +66,7 @@ class Engine {
 
  private:
   std::size_t number_of_runs() const { return runs_.last - runs_.first + 1; }
-  std::string again() const { return "blocks sweep " + run::shell_word(folder_); }
+  std::string again() const { return "blocks sweep " + run::shell_path(folder_); }
 
   int local() {
     if (choice_.dry_run) {
@@ -156,7 +156,7 @@ class Engine {
       fmt::print(
           "job {} has {} runs, {} in a task\n'blocks sweep status {}' shows what "
           "is done\n",
-          job, open_.size(), choice.pack, run::shell_word(folder_));
+          job, open_.size(), choice.pack, run::shell_path(folder_));
     return run::done;
   }
 
@@ -186,7 +186,7 @@ class Engine {
     const std::size_t open = open_runs(folder_, runs_).size();
     if (!choice_.quiet) {
       if (open == 0)
-        fmt::print("blocks report {} shows the results\n", run::shell_word(folder_));
+        fmt::print("blocks report {} shows the results\n", run::shell_path(folder_));
       else
         fmt::print("{} goes on with {} open runs\n", again(), open);
     }

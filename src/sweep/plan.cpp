@@ -95,7 +95,8 @@ Plan plan_of(const Json& head) {
   // The runs write files of this name in their folders.
   constexpr std::size_t longest_name = 200;  // with endings it is a name of a file
   if (plan.name.empty() || plan.name == "." || plan.name == ".." ||
-      plan.name.find('/') != std::string::npos || plan.name.size() > longest_name)
+      plan.name.find_first_of(std::string_view("/\0\n\r", 4)) != std::string::npos ||
+      plan.name.size() > longest_name)
     throw std::runtime_error("\"name\" is " +
                              head.at("name").dump().substr(0, longest_name) +
                              ", which cannot be the name of files");
@@ -138,6 +139,14 @@ Plan read_lines(std::istream& in) {
     if (axes_of(plan.runs.back()) != plan.axes)
       throw std::runtime_error(
           fmt::format("run {} does not set what \"axes\" names", plan.runs.size()));
+  }
+  if (plan.sobol && !plan.runs.empty()) {
+    Variation common = plan.runs.front();
+    std::erase_if(common.sets, [&](const std::string& set) {
+      return plan.sobol->has(field_of(set));
+    });
+    if (plan.runs != sobol_runs(*plan.sobol, common))
+      throw std::runtime_error("its runs are not those of its Sobol design");
   }
   if (line != "]}" || plan.runs.size() != number)
     throw std::runtime_error(

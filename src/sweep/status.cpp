@@ -84,10 +84,10 @@ std::string status_text(const std::string& folder, const Plan& plan) {
   text += failed;
   if (number > most_named)
     text += fmt::format("  and {} more; blocks report {} lists all\n",
-                        number - most_named, run::shell_word(folder));
+                        number - most_named, run::shell_path(folder));
   if (counts.contains("open"))
     text += fmt::format("blocks sweep {} goes on with the open runs\n",
-                        run::shell_word(folder));
+                        run::shell_path(folder));
   return text;
 }
 

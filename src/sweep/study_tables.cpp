@@ -54,7 +54,7 @@ study::FrameValues values_of(const Json& json, int frame) {
 
 /// Returns the outcome of a run that is done, or whose scene could not be made.
 Outcome finished_outcome(const std::string& folder, const Plan& plan, std::size_t id) {
-  const std::string again = "blocks sweep " + run::shell_word(folder);
+  const std::string again = "blocks sweep " + run::shell_path(folder);
   auto outcome = read_outcome(run_folder(folder, id));
   if (!outcome)
     throw output::FileError(

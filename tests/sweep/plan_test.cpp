@@ -154,6 +154,13 @@ TEST_F(PlanTest, ASobolDesignIsReadAsItWasWritten) {
   write_plan(folder_, sobol_plan());
   EXPECT_EQ(read_plan(folder_), sobol_plan());
   const std::string whole = text();
+  for (const auto& [told, forged] :
+       {std::pair{"\"high\":0.7", "\"high\":0.8"}, {"\"low\":0.1", "\"low\":0.0"}}) {
+    std::string other = whole;
+    write_text(other.replace(other.find(told), std::string(told).size(), forged));
+    EXPECT_THAT(fault_of_reading(),
+                HasSubstr("its runs are not those of its Sobol design"));
+  }
   for (const char* rows : {"0", "1", "3", "-1", "1e300"}) {
     std::string forged = whole;
     write_text(
