@@ -51,7 +51,7 @@ void hide_removed(Frame& frame) {
 /// Throws Failure unless every contact is that of a corner and an edge that exist.
 /// `corners` has the number of corners of each block. The edges of block 0 are planes.
 void expect_in_range(const FrameContacts& contacts,
-                     const std::vector<std::int64_t>& corners) {
+                     const std::vector<std::int64_t>& corners, std::int64_t planes) {
   const auto expect = [&](const char* name, std::int64_t value, std::int64_t from,
                           std::int64_t to) {
     if (value < from || value > to)
@@ -67,8 +67,9 @@ void expect_in_range(const FrameContacts& contacts,
     expect("CornerBlock", block, 1, blocks);
     expect("Corner", contacts.corner[i], 1, corners_of(block));
     expect("EdgeBlock", other, 0, blocks);
-    expect("Edge", contacts.edge[i], 1,
-           other == 0 ? std::numeric_limits<int>::max() : corners_of(other));
+    if (other == block)
+      throw Failure(fmt::format("contacts: block {} touches itself", block));
+    expect("Edge", contacts.edge[i], 1, other == 0 ? planes : corners_of(other));
   }
 }
 
@@ -242,7 +243,11 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   rows.overlap = vector(contact<double>("Overlap", from, m, 1));
   if (output::hdf5::exists(own.get(), last_state_column))
     rows.states = read_states(from, m);
-  expect_in_range(rows, read_corner_counts(i));
+  // Results of older programs do not have the planes.
+  const std::int64_t planes = names.planes.empty()
+                                  ? std::numeric_limits<int>::max()
+                                  : static_cast<std::int64_t>(names.planes.size());
+  expect_in_range(rows, read_corner_counts(i), planes);
   return rows;
 }
 

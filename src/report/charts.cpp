@@ -245,8 +245,11 @@ post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis
     line.high.push_back(found.interval.high);
   }
   line.legend = what.label;
-  line.band_legend =
-      what.is_share ? "95 % interval (Wilson)" : "95 % interval of the mean";
+  // A mean of one run has no interval.
+  if (std::any_of(line.low.begin(), line.low.end(),
+                  [](double low) { return std::isfinite(low); }))
+    line.band_legend =
+        what.is_share ? "95 % interval (Wilson)" : "95 % interval of the mean";
   return parameter_chart(ensemble, analysis, std::move(line),
                          what.is_share ? "share of runs"
                                        : with_unit("mean", what.unit));
