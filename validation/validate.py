@@ -223,6 +223,13 @@ def sanitizers(arguments):
                       folder / "SANITIZERS", *arguments.options)
 
 
+def tiling(arguments):
+    build("release", "blocks")
+    if arguments.others:
+        return run_python("tiling/others.py", RELEASE / "src/blocks")
+    return run_python("tiling/decks.py", RELEASE / "src/blocks", *arguments.decks)
+
+
 def whole_number(text):
     if not text.isdigit() or int(text) == 0:
         raise argparse.ArgumentTypeError(f"{text} is not a whole number above 0")
@@ -282,6 +289,13 @@ def parser():
                   "validation/robustness/CONTACTS.csv.", (1000, "frames of each scene"))
     command.add_argument("--resume", action="store_true",
                          help="go on with an interrupted sweep of the same program")
+    command = add("tiling", tiling, "blocks of decks judged by a program of its own",
+                  "Exports the blocks of decks and judges exactly whether they tile their outlines "
+                  "(validation/tiling/tiling.py, which shares no code with the program).")
+    command.add_argument("decks", metavar="DECK", nargs="*", help="default: all shipped decks")
+    command.add_argument("--others", action="store_true",
+                         help="compare with GEOS and Qhull on random networks; needs "
+                              "python3-shapely and python3-scipy")
     command = add("frames", frames, "decks in other frames: turned, shifted, mirrored, twice as large",
                   "Runs all shipped decks and those of the validation problems in nine frames, and "
                   "compares the motion of their blocks. Takes a quarter of an hour. Writes "

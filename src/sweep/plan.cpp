@@ -95,7 +95,7 @@ Plan plan_of(const Json& head) {
   // The runs write files of this name in their folders.
   constexpr std::size_t longest_name = 200;  // with endings it is a name of a file
   if (plan.name.empty() || plan.name == "." || plan.name == ".." ||
-      plan.name.find_first_of(std::string_view("/\0\n\r", 4)) != std::string::npos ||
+      plan.name.find_first_of(std::string_view("/\0", 2)) != std::string::npos ||
       plan.name.size() > longest_name)
     throw std::runtime_error("\"name\" is " +
                              head.at("name").dump().substr(0, longest_name) +
