@@ -87,7 +87,7 @@ def wedge(case):
     area, _ = section(block)
     top = block[2]
     length, weight = np.hypot(*top), 2600 * GRAVITY * area
-    for height in (0, 30, 60):
+    for height in (0, 25, 50):
         most = GAMMA * height / 2
         wet = height / top[1]  # the part of the plane with water
         middle, end = wet * top / 2, wet * top
@@ -101,10 +101,11 @@ def wedge(case):
 def dam(case):
     text = case.text("dam.deck")
     weight, reservoir, base = 2400 * GRAVITY * 120, 11.0, 10.0
-    for what, points in (("full uplift", [(0, reservoir), (base, 0)]),
-                         ("drained", [(0, reservoir), (2, reservoir / 3), (base, 0)])):
-        xs, ys = np.array(points).T
-        uplift = GAMMA * np.trapezoid(ys, xs) if hasattr(np, "trapezoid") else GAMMA * np.trapz(ys, xs)
+    heel = 0.2  # the dam slips before it fails, and the reservoir goes along
+    for what, points in (("full uplift", [(heel, reservoir), (base, 0)]),
+                         ("drained", [(heel, reservoir), (2, reservoir / 3), (base, 0)])):
+        xs, ys = np.array([(0, reservoir), *points]).T
+        uplift = GAMMA * ((ys[1:] + ys[:-1]) / 2 * np.diff(xs)).sum()
         known = (2e4 * base + (weight - uplift) * tan(PHI)) / (GAMMA * reservoir ** 2 / 2)
         brackets(case, f"dam, {what}", text, table(points), known)
 
