@@ -51,7 +51,7 @@ struct PlaneFault {
 
 /// A block whose force of water is not exact.
 struct WaterError {
-  int block = -1;      ///< -1: none has an error
+  int block = -1;      ///< -1: none is judged
   double share = 0.0;  ///< error of the force, of gamma times the area of the block
 };
 

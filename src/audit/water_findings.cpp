@@ -82,11 +82,11 @@ bool has_own(const Blocks& blocks, int b, const Water& water) {
 
 WaterError worst_water(const Moment& moment) {
   WaterError worst;
-  if (moment.water.table.none())
-    return worst;
   const Blocks& blocks = moment.blocks;
   const WaterTable& table = moment.water.table;
-  const WaterNow now(moment.water, moment.time);
+  WaterNow now(moment.water, moment.time);
+  if (!now.has_table())
+    return worst;
   for (int b = 0; b < blocks.size(); ++b) {
     if (!blocks.is_free(b) || has_own(blocks, b, moment.water))
       continue;
@@ -100,7 +100,7 @@ WaterError worst_water(const Moment& moment) {
                           static_cast<double>(Rational(found.y()) - gamma * wanted.y));
     const double share =
         difference.norm() / (table.gamma * static_cast<double>(area(shape)));
-    if (!(share <= worst.share))
+    if (worst.block < 0 || !(share <= worst.share))
       worst = {b, share};
   }
   return worst;

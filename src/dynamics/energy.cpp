@@ -145,7 +145,7 @@ double work_of_water(const Model& model) {
   const Blocks& blocks = model.blocks;
   if (model.loads.water.none())
     return 0.0;
-  const WaterNow water(model.loads.water, model.time);
+  WaterNow water(model.loads.water, model.time);
   double power = 0.0;
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))

@@ -37,7 +37,7 @@ Extremes add_loads(Model& model, const std::vector<int>& shares, Workers& worker
 
 void add_water(Model& model, int begin, int end) {
   Blocks& blocks = model.blocks;
-  const WaterNow water(model.loads.water, model.time);
+  WaterNow water(model.loads.water, model.time);
   for (int b = begin; b < end; ++b) {
     if (blocks.is_removed(b))
       continue;

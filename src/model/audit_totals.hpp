@@ -46,7 +46,7 @@ struct AuditedWater {
   long step = 0;
   double time = 0.0;    ///< [T]
   double share = 0.0;   ///< error of the force, of gamma times the area of the block
-  bool tested = false;  ///< there was a water table
+  bool tested = false;  ///< false: no block was judged
 };
 
 /// Totals over all audits of a run.

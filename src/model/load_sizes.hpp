@@ -22,7 +22,7 @@ template <class Add> void each_load(const Model& model, double time, const Add& 
                             2.0);
   }
   if (!loads.water.none()) {
-    const WaterNow water(loads.water, time);
+    WaterNow water(loads.water, time);
     for (int b = 0; b < blocks.size(); ++b)
       if (blocks.is_free(b))
         add(b, water.on_block(blocks, b).force.norm());

@@ -14,9 +14,9 @@ double passed_part(double begin, double duration, double time) {
   return duration > 0.0 ? std::clamp((time - begin) / duration, 0.0, 1.0) : 1.0;
 }
 
-/// Adds the loads of a pressure that is linear from p0 at t0 to p1 at t1. Only positive
-/// pressure acts.
-void add_linear(double t0, double p0, double t1, double p1, EndLoads& loads) {
+/// Calls visit for the part of a linear pressure that is above 0.
+template <class Visit>
+void visit_above_zero(double t0, double p0, double t1, double p1, const Visit& visit) {
   if (!(t1 > t0) || (p0 <= 0.0 && p1 <= 0.0))
     return;
   if (p0 < 0.0) {
@@ -26,10 +26,7 @@ void add_linear(double t0, double p0, double t1, double p1, EndLoads& loads) {
     t1 -= (t1 - t0) * (p1 / (p1 - p0));
     p1 = 0.0;
   }
-  const double width = t1 - t0;
-  // Both are integrals of non-negative functions, so nothing cancels.
-  loads.second += width * (0.5 * t0 * (p0 + p1) + width * (p0 + 2.0 * p1) / 6.0);
-  loads.first += width * (0.5 * (1.0 - t1) * (p0 + p1) + width * (2.0 * p0 + p1) / 6.0);
+  visit(t0, p0, t1, p1);
 }
 
 /// Shortens [t0, t1] to where low <= from + t (to - from) <= high.
@@ -55,13 +52,10 @@ OnLine on_line(const JointWater& water, const Vec2& at) {
           geometry::cross(line, from) / line.norm()};
 }
 
-double pressure_at(const JointWater& water, double along, double passed) {
-  return passed * (water.p1 + along * (water.p2 - water.p1));
-}
-
-/// Adds the loads of one card on the side from a to b.
-void add_line(const JointWater& water, double time, const Vec2& a, const Vec2& b,
-              EndLoads& loads) {
+/// Calls visit for the part of the side from a to b on which one card acts.
+template <class Visit>
+void visit_line(const JointWater& water, double time, const Vec2& a, const Vec2& b,
+                const Visit& visit) {
   if (water.is_dry())
     return;
   const OnLine first = on_line(water, a), second = on_line(water, b);
@@ -70,9 +64,10 @@ void add_line(const JointWater& water, double time, const Vec2& a, const Vec2& b
   clip(first.distance, second.distance, -water.reach, water.reach, t0, t1);
   const double passed = water.passed(time);
   const auto at = [&](double t) {
-    return pressure_at(water, first.along + t * (second.along - first.along), passed);
+    const double along = first.along + t * (second.along - first.along);
+    return passed * (water.p1 + along * (water.p2 - water.p1));
   };
-  add_linear(t0, at(t0), t1, at(t1), loads);
+  visit_above_zero(t0, at(t0), t1, at(t1), visit);
 }
 
 /// Adds the forces at the ends of the side from corner c.
@@ -118,6 +113,7 @@ bool Water::will_change(double time) const {
 
 WaterNow::WaterNow(const Water& water, double time)
     : water_(water), time_(time), passed_(water.table.passed(time)),
+      has_table_(!water.table.none() && !(water.table.drains && passed_ >= 1.0)),
       across_(water.table.across()) {}
 
 double WaterNow::level(std::size_t k) const {
@@ -136,56 +132,29 @@ std::size_t WaterNow::part_at(double s) const {
 }
 
 WaterNow::Part WaterNow::part(std::size_t k) const {
-  const std::vector<double>& place = water_.table.place;
-  if (k == 0)
-    return {place.front(), level(0), 0.0};
-  const double low = level(k - 1);
-  return {place[k - 1], low,
-          k == place.size() ? 0.0 : (level(k) - low) / (place[k] - place[k - 1])};
+  const WaterTable& table = water_.table;
+  const std::vector<double>& place = table.place;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t n = place.size(), low = k == 0 ? 0 : k - 1;
+  Part made;
+  made.left = k == 0 ? -infinity : place[low];
+  made.right = k == n || n == 1 ? infinity : place[k];
+  if (k > 0 && k < n)
+    made.slope = (level(k) - level(low)) / (place[k] - place[low]);
+  made.point = place[low] * across_ + level(low) * table.up;
+  made.gradient = table.gamma * (made.slope * across_ - table.up);
+  return made;
 }
 
 double WaterNow::level_at(double s) const {
   const Part straight = part(part_at(s));
-  return straight.level + straight.slope * (s - straight.place);
+  return water_.table.up.dot(straight.point) +
+         straight.slope * (s - across_.dot(straight.point));
 }
 
-double WaterNow::table_pressure(const Part& part, const Vec2& at) const {
-  const WaterTable& table = water_.table;
-  return table.gamma *
-         (part.level + part.slope * (across_.dot(at) - part.place) - table.up.dot(at));
-}
-
-double WaterNow::pressure(const Vec2& at, int joint) const {
-  if (!water_.has_own(joint))
-    return water_.table.none()
-               ? 0.0
-               : std::max(0.0, table_pressure(part(part_at(across_.dot(at))), at));
-  double sum = 0.0;
-  for (const JointWater& one : water_.joints) {
-    if (one.joint != joint || one.is_dry())
-      continue;
-    const OnLine place = on_line(one, at);
-    if (place.along >= 0.0 && place.along <= 1.0 &&
-        std::abs(place.distance) <= one.reach)
-      sum += std::max(0.0, pressure_at(one, place.along, one.passed(time_)));
-  }
-  return sum;
-}
-
-Vec2 WaterNow::at_ends(const Vec2& a, const Vec2& b, int joint) const {
-  if (water_.has_own(joint))
-    return {pressure(a, joint), pressure(b, joint)};
-  if (water_.table.none())
-    return {0.0, 0.0};
-  const auto below = [&](const Vec2& at) {
-    return table_pressure(part(part_at(across_.dot(at))), at);
-  };
-  const Vec2 ends(below(a), below(b));
-  return ends.maxCoeff() > 0.0 ? ends : Vec2(0.0, 0.0);
-}
-
-EndLoads WaterNow::table_on(const Vec2& a, const Vec2& b) const {
-  EndLoads loads;
+template <class Visit>
+void WaterNow::each_table_part(const Vec2& a, const Vec2& b, double weight,
+                               const Visit& visit) const {
   const double begin = across_.dot(a), end = across_.dot(b);
   const std::vector<double>& place = water_.table.place;
   const std::size_t first = part_at(begin), last = part_at(end);
@@ -200,21 +169,42 @@ EndLoads WaterNow::table_on(const Vec2& a, const Vec2& b) const {
                  right = k == high ? (rises ? 1.0 : 0.0) : t_of(place[k]);
     const Part straight = part(k);
     const double t0 = std::min(left, right), t1 = std::max(left, right);
-    const auto at = [&](double t) -> double {
-      return table_pressure(straight, a + t * (b - a));
+    const auto at = [&](double t) {
+      return weight * straight.pressure(a + t * (b - a));
     };
-    add_linear(t0, at(t0), t1, at(t1), loads);
+    visit_above_zero(t0, at(t0), t1, at(t1), visit);
   }
-  return loads;
+}
+
+template <class Visit>
+void WaterNow::each_part(const Vec2& a, const Vec2& b, int joint,
+                         const Visit& visit) const {
+  double own = 0.0;  // how far the pressures of JWATER have taken the table's place
+  for (const JointWater& one : water_.joints)
+    if (one.joint == joint) {
+      own = std::max(own, one.passed(time_));
+      visit_line(one, time_, a, b, visit);
+    }
+  if (has_table_ && own < 1.0)
+    each_table_part(a, b, 1.0 - own, visit);
+}
+
+void WaterNow::add_parts(const Vec2& a, const Vec2& b, int joint,
+                         std::vector<WetPart>& parts) const {
+  each_part(a, b, joint, [&](double t0, double p0, double t1, double p1) {
+    parts.push_back({t0, t1, p0, p1});
+  });
 }
 
 EndLoads WaterNow::on_side(const Vec2& a, const Vec2& b, int joint) const {
-  if (!water_.has_own(joint))
-    return water_.table.none() ? EndLoads{} : table_on(a, b);
   EndLoads loads;
-  for (const JointWater& one : water_.joints)
-    if (one.joint == joint)
-      add_line(one, time_, a, b, loads);
+  each_part(a, b, joint, [&](double t0, double p0, double t1, double p1) {
+    const double width = t1 - t0;
+    // Both are integrals of functions that are not negative, so nothing cancels.
+    loads.second += width * (0.5 * t0 * (p0 + p1) + width * (p0 + 2.0 * p1) / 6.0);
+    loads.first +=
+        width * (0.5 * (1.0 - t1) * (p0 + p1) + width * (2.0 * p0 + p1) / 6.0);
+  });
   return loads;
 }
 
@@ -231,44 +221,38 @@ bool WaterNow::has_own_sides(const Blocks& blocks, int b) const {
 /// table. The pressure is then linear over the whole block: by the theorem of Gauss,
 /// the force is minus the area times its gradient, it acts at the centroid, and the
 /// sums f_i x_j are minus the area times the pressure there.
-bool WaterNow::under_one_part(const Blocks& blocks, int b, BlockWater& result) const {
+bool WaterNow::under_one_part(const Blocks& blocks, int b, BlockWater& result) {
   const int begin = blocks.first_corner[b], end = blocks.first_corner[b + 1];
-  const std::size_t k = part_at(across_.dot(Vec2(blocks.corner.col(begin))));
-  const Part straight = part(k);
-  const std::vector<double>& place = water_.table.place;
+  // Which part is taken must not depend on the block before.
+  if (const double s = across_.dot(Vec2(blocks.corner.col(begin)));
+      !(last_.left <= s && s < last_.right))
+    last_ = part(part_at(s));
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double left = k == 0 ? -infinity : place[k - 1],
-               right = k == place.size() || place.size() == 1 ? infinity : place[k];
-  const Vec2 centre = blocks.centroid.col(b);
-  double least = infinity, most = -infinity, twice_area = 0.0;
-  Vec2 before = Vec2(blocks.corner.col(end - 1)) - centre;
+  double least = infinity, most = -infinity, left = infinity, right = -infinity;
   for (int c = begin; c < end; ++c) {
     const Vec2 at = blocks.corner.col(c);
-    const double s = across_.dot(at), p = table_pressure(straight, at);
-    if (!(left <= s && s <= right))
-      return false;
-    least = std::min(least, p);
-    most = std::max(most, p);
-    const Vec2 arm = at - centre;
-    twice_area += geometry::cross(arm, before);  // clockwise
-    before = arm;
+    const double s = across_.dot(at), p = last_.pressure(at);
+    left = std::min(left, s), right = std::max(right, s);
+    least = std::min(least, p), most = std::max(most, p);
   }
+  if (left < last_.left || right > last_.right)
+    return false;
   if (most <= 0.0)
     return true;
   if (least < 0.0)
     return false;
-  const WaterTable& table = water_.table;
-  const double area = 0.5 * twice_area;
-  result.force = table.gamma * area * (table.up - straight.slope * across_);
-  result.sums[0] = result.sums[3] = -area * table_pressure(straight, centre);
+  const auto f = blocks.gradient.col(b);  // deforms the block since creation
+  const double area = blocks.area[b] * (f[0] * f[3] - f[1] * f[2]);
+  result.force = -area * last_.gradient;
+  result.sums[0] = result.sums[3] = -area * last_.pressure(blocks.centroid.col(b));
   result.acts = true;
   return true;
 }
 
-BlockWater WaterNow::on_block(const Blocks& blocks, int b) const {
+BlockWater WaterNow::on_block(const Blocks& blocks, int b) {
   BlockWater result;
   const bool own = has_own_sides(blocks, b);
-  if (!own && (water_.table.none() || under_one_part(blocks, b, result)))
+  if (!own && (!has_table_ || under_one_part(blocks, b, result)))
     return result;
   for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
     add_side(blocks, c,
@@ -278,11 +262,11 @@ BlockWater WaterNow::on_block(const Blocks& blocks, int b) const {
   return result;
 }
 
-void WaterNow::forces_on(const Blocks& blocks, Eigen::Matrix2Xd& forces) const {
+void WaterNow::forces_on(const Blocks& blocks, Eigen::Matrix2Xd& forces) {
   forces.setZero(2, blocks.size());
   for (int b = 0; b < blocks.size(); ++b)
     if (!blocks.is_removed(b))
-      forces.col(b) = on_block(blocks, b).force;
+      forces.col(b) += on_block(blocks, b).force;
 }
 
 }  // namespace blocks

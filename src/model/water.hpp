@@ -15,6 +15,7 @@ struct WaterTable {
   std::vector<double> place;   ///< [L] horizontal places, increasing; empty: no water
   std::vector<double> from, to;  ///< [L] levels along `up` before and after the change
   double begin = 0.0, duration = 0.0;  ///< [T] of the change
+  bool drains = false;                 ///< after the change there is no water
 
   bool none() const { return place.empty(); }
   /// Returns the unit vector to the right, normal to `up`.
@@ -24,14 +25,16 @@ struct WaterTable {
 };
 
 /// JWATER: a pressure between two points that acts on the sides of a joint id in place
-/// of the table. Without pressures the sides are dry.
+/// of the table. Without pressures the sides are dry. While it rises, the table's
+/// pressure on these sides falls.
 struct JointWater {
   int joint = 0;                          ///< joint id; 0: sides without one
   geometry::Vec2 a = {0, 0}, b = {0, 0};  ///< [L]
   double p1 = 0.0, p2 = 0.0;              ///< [F/L^2] at a and b, linear between them
   double reach = 0.0;  ///< [L] the distance from the line up to which it acts
-  double begin = 0.0, duration = 0.0;  ///< [T] in which it rises from 0
+  double begin = 0.0, duration = 0.0;  ///< [T] in which it takes the table's place
 
+  /// Returns the part of the change that has passed, 0 to 1.
   double passed(double time) const;
   bool is_dry() const { return p1 == 0.0 && p2 == 0.0; }
 };
@@ -45,6 +48,12 @@ struct Water {
   bool has_own(int joint) const;
   /// Returns whether levels or pressures change after this time.
   bool will_change(double time) const;
+};
+
+/// A part of a side on which the pressure is linear, from p0 at t0 to p1 at t1.
+struct WetPart {
+  double t0, t1;  ///< 0 at the first corner of the side, 1 at the last
+  double p0, p1;  ///< [F/L^2] >= 0
 };
 
 /// The integrals of a pressure p over a side, as the loads at its ends: of p (1 - t)
@@ -63,46 +72,58 @@ struct BlockWater {
 };
 
 /// The water at one time. It never allocates. It refers to the water, which has to live
-/// as long.
+/// as long. Each thread needs its own.
 class WaterNow {
  public:
   WaterNow(const Water& water, double time);
 
   /// Returns the level of the table at a horizontal place, [L]. It must have points.
   double level_at(double s) const;
-  /// Returns the pressure on the side with this joint id at a point, [F/L^2] >= 0.
-  double pressure(const geometry::Vec2& at, int joint) const;
-  /// Returns the pressure at both ends of a side for pictures and results. Where one
-  /// end lies above the table and the other one below it, that of the upper end is
-  /// negative: the side is wet from where the line between both is 0. A dry side has 0,
-  /// 0.
-  geometry::Vec2 at_ends(const geometry::Vec2& a, const geometry::Vec2& b,
-                         int joint) const;
+  /// Returns whether there is a table at this time.
+  bool has_table() const { return has_table_; }
+  /// Calls visit(t0, p0, t1, p1) for each part of the side from a to b on which the
+  /// pressure is linear and above 0: from p0 at t0 to p1 at t1, where t runs from 0 at
+  /// a to 1 at b. Where parts of several cards lie on each other, their pressures add
+  /// up.
+  template <class Visit>
+  void each_part(const geometry::Vec2& a, const geometry::Vec2& b, int joint,
+                 const Visit& visit) const;
+  /// Appends these parts to a list.
+  void add_parts(const geometry::Vec2& a, const geometry::Vec2& b, int joint,
+                 std::vector<WetPart>& parts) const;
   /// Integrates the pressure on the side from a to b exactly.
   EndLoads on_side(const geometry::Vec2& a, const geometry::Vec2& b, int joint) const;
   /// Returns the resultant on block b. If its sides carry the table's pressure and lie
   /// under one straight part of it, that follows from the area (docs/water.md#blocks).
-  BlockWater on_block(const Blocks& blocks, int b) const;
-
+  BlockWater on_block(const Blocks& blocks, int b);
   /// Sets forces to the resultant on each block, (2, n) [F]; 0 for removed ones.
-  void forces_on(const Blocks& blocks, Eigen::Matrix2Xd& forces) const;
+  void forces_on(const Blocks& blocks, Eigen::Matrix2Xd& forces);
 
  private:
-  /// A part of the table that is straight: level + slope (s - place).
+  /// A straight part of the table between two horizontal places. The pressure below it
+  /// is gradient . (x - point), where the point is on the table.
   struct Part {
-    double place, level, slope;
+    double left = 1.0, right = 0.0;  ///< [L] without places at first
+    geometry::Vec2 point = {0, 0}, gradient = {0, 0};
+    double slope = 0.0;
+
+    double pressure(const geometry::Vec2& at) const { return gradient.dot(at - point); }
   };
   std::size_t part_at(double s) const;
   Part part(std::size_t k) const;
   double level(std::size_t k) const;
-  double table_pressure(const Part& part, const geometry::Vec2& at) const;
-  EndLoads table_on(const geometry::Vec2& a, const geometry::Vec2& b) const;
+  /// The same as each_part() for the table, its pressures times a weight.
+  template <class Visit>
+  void each_table_part(const geometry::Vec2& a, const geometry::Vec2& b, double weight,
+                       const Visit& visit) const;
   bool has_own_sides(const Blocks& blocks, int b) const;
-  bool under_one_part(const Blocks& blocks, int b, BlockWater& result) const;
+  bool under_one_part(const Blocks& blocks, int b, BlockWater& result);
 
   const Water& water_;
   double time_, passed_;
+  bool has_table_;
   geometry::Vec2 across_;
+  Part last_;  ///< over the block before, which is usually that of the next one
 };
 
 }  // namespace blocks

@@ -208,7 +208,7 @@ template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive
 template <class W, class Archive> void visit_water(W& water, Archive& ar) {
   auto& [table, joints] = water;
   {
-    auto& [gamma, up, place, from, to, begin, duration] = table;
+    auto& [gamma, up, place, from, to, begin, duration, drains] = table;
     ar("loads/water/gamma", gamma);
     ar("loads/water/up", up);
     ar("loads/water/place", place);
@@ -216,6 +216,7 @@ template <class W, class Archive> void visit_water(W& water, Archive& ar) {
     ar("loads/water/to", to);
     ar("loads/water/begin", begin);
     ar("loads/water/duration", duration);
+    ar("loads/water/drains", drains);
   }
   ar.records("loads/water/joints", joints, [](auto& column, auto& one) {
     auto& [joint, a, b, p1, p2, reach, begin, duration] = one;

@@ -177,7 +177,7 @@ void ResultsFrames::truncate(long count) {
   for (auto& [name, column] : cells_)
     column.truncate(count, cell_count);
   joints_.truncate(count, corner_count);
-  water_.truncate(count, cell_count, corner_count);
+  water_.truncate(count, cell_count);
   cracks_.truncate(count, cell_count);
   points_.truncate(corner_end);
   connectivity_.truncate(id_end);

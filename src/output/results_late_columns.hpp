@@ -9,9 +9,8 @@
 
 namespace blocks::output {
 
-/// `width` numbers of type T for the side that begins at each point. The data are
-/// absent as long as all of them are 0, so that files of models without do not depend
-/// on them.
+/// `width` numbers of type T for each point or cell. The data are absent as long as all
+/// of them are 0, so that files of models without do not depend on them.
 template <class T> class LateColumn {
  public:
   /// vtk, steps: the groups /VTKHDF and /VTKHDF/Steps, which stay open. group:

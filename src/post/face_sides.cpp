@@ -24,20 +24,6 @@ Eigen::Vector2d face_values(const std::string& name, const FaceMotion& motion,
   return mirrored ? Eigen::Vector2d(-motion.shear) : motion.shear;
 }
 
-namespace {
-
-/// Returns the part of a side below the water table.
-ValuedSide wet_part(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                    const Eigen::Vector2d& pressures) {
-  ValuedSide side{{a, b}, pressures.cwiseMax(0.0)};
-  const double share = pressures[0] / (pressures[0] - pressures[1]);
-  if (pressures.minCoeff() < 0.0)
-    side.ends[pressures[0] < 0.0 ? 0 : 1] = a + share * (b - a);
-  return side;
-}
-
-}  // namespace
-
 std::vector<ValuedSide> valued_sides(const std::string& name, const Picture& picture,
                                      bool mirrored) {
   std::vector<ValuedSide> sides;
@@ -48,15 +34,10 @@ std::vector<ValuedSide> valued_sides(const std::string& name, const Picture& pic
         sides.push_back({ends, face_values(name, motion, mirrored)});
     return sides;
   }
-  for (std::size_t b = 0; b < picture.now.water.size(); ++b) {
-    if (picture.now.fixed[b] != 0)
-      continue;  // joints with fixed blocks are sides of the others, too
-    const auto& outline = picture.now.outlines[b];
-    for (std::size_t k = 0; k < outline.size(); ++k)
-      if (picture.now.water[b][k].any())
-        sides.push_back(wet_part(outline[k], outline[(k + 1) % outline.size()],
-                                 picture.now.water[b][k]));
-  }
+  for (const WetSide& side : picture.now.wet_sides)
+    // Joints with fixed blocks are sides of the others, too.
+    if (picture.now.fixed[static_cast<std::size_t>(side.block)] == 0)
+      sides.push_back({side.ends, side.pressure});
   return sides;
 }
 

@@ -17,9 +17,11 @@ void convert(Frame& frame, const UnitScale& scale) {
   for (auto& outline : frame.outlines)
     for (Eigen::Vector2d& corner : outline)
       corner *= scale.length;
-  for (auto& sides : frame.water)
-    for (Eigen::Vector2d& pressures : sides)
-      pressures *= stress;
+  for (WetSide& side : frame.wet_sides) {
+    side.pressure *= stress;
+    for (Eigen::Vector2d& end : side.ends)
+      end *= scale.length;
+  }
   for (Eigen::Vector2d& at : frame.water_line)
     at *= scale.length;
   frame.centroid *= scale.length;

@@ -94,29 +94,69 @@ std::vector<T> ResultsReader::File::read_late(const std::string& group,
   return stored.read<T>(step_value(offsets, i), rows);
 }
 
-std::vector<Eigen::Vector2d> ResultsReader::File::read_water_line(hsize_t i) const {
+std::pair<hsize_t, hsize_t> ResultsReader::File::water_rows(const char* name,
+                                                            hsize_t i) const {
   if (!output::hdf5::exists(own.get(), "water") ||
-      !output::hdf5::exists(own.get(), "water/count") ||
-      Column::open(own.get(), "water/count").rows() <= i)
-    return {};
-  const auto whole = [&](const char* name) {
-    const auto value = Column::open(own.get(), name).at<std::int64_t>(i);
-    if (value < 0)
-      throw Failure(std::string(name) + " is negative");
-    return static_cast<hsize_t>(value);
-  };
-  Column points = Column::open(own.get(), "water/points");
-  if (points.width() != 2)
-    throw Failure("water/points has the wrong shape");
-  const std::vector<double> rows =
-      points.read<double>(whole("water/first"), whole("water/count"));
+      !output::hdf5::exists(own.get(), "water/points_of_frame"))
+    return {0, 0};
+  Column stored = Column::open(own.get(), name);
+  if (stored.width() != 2)
+    throw Failure(std::string(name) + " has the wrong shape");
+  if (stored.rows() <= i)
+    return {0, 0};
+  const auto rows = stored.read<std::int64_t>(i, 1);
+  if (rows[0] < 0 || rows[1] < 0)
+    throw Failure(std::string(name) + " is negative");
+  return {static_cast<hsize_t>(rows[0]), static_cast<hsize_t>(rows[1])};
+}
+
+std::vector<Eigen::Vector2d> ResultsReader::File::read_water_line(hsize_t i) const {
+  const auto [first, count] = water_rows("water/points_of_frame", i);
   std::vector<Eigen::Vector2d> line;
+  if (count == 0)
+    return line;
+  Column points = Column::open(own.get(), "water/point");
+  if (points.width() != 2)
+    throw Failure("water/point has the wrong shape");
+  const std::vector<double> rows = points.read<double>(first, count);
   for (std::size_t k = 0; k + 1 < rows.size(); k += 2) {
     line.emplace_back(rows[k], rows[k + 1]);
     if (!line.back().allFinite())
-      throw Failure("water/points has values that are not finite");
+      throw Failure("water/point has values that are not finite");
   }
   return line;
+}
+
+void ResultsReader::File::read_wet_sides(hsize_t i,
+                                         const std::vector<std::pair<int, int>>& places,
+                                         Frame& frame) const {
+  const auto [first, count] = water_rows("water/parts_of_frame", i);
+  if (count == 0)
+    return;
+  Column corner = Column::open(own.get(), "water/corner"),
+         part = Column::open(own.get(), "water/part");
+  if (corner.width() != 1 || part.width() != 4)
+    throw Failure("water/part has the wrong shape");
+  const auto corners = corner.read<std::int64_t>(first, count);
+  const auto parts = part.read<double>(first, count);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (corners[k] < 0 || corners[k] >= static_cast<std::int64_t>(places.size()))
+      throw Failure("water/corner is out of range");
+    const auto [block, side] = places[static_cast<std::size_t>(corners[k])];
+    const Eigen::Vector2d share(parts[4 * k], parts[4 * k + 1]),
+        pressure(parts[4 * k + 2], parts[4 * k + 3]);
+    if (block < 0 || !(share.minCoeff() >= 0.0 && share.maxCoeff() <= 1.0) ||
+        !(pressure.minCoeff() >= 0.0) || !pressure.allFinite())
+      throw Failure("water/part is out of range");
+    const auto& outline = frame.outlines[static_cast<std::size_t>(block)];
+    const auto at = static_cast<std::size_t>(side);
+    const Eigen::Vector2d a = outline[at], b = outline[(at + 1) % outline.size()];
+    frame.wet_sides.push_back({block,
+                               side,
+                               {a + share[0] * (b - a), a + share[1] * (b - a)},
+                               share,
+                               pressure});
+  }
 }
 
 std::vector<std::int64_t> ResultsReader::File::read_corner_counts(hsize_t i) const {
@@ -150,14 +190,9 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
   const auto joints = read_late<int>("PointData", "Joint", i, points, 1);
   if (std::any_of(joints.begin(), joints.end(), [](int joint) { return joint < 0; }))
     throw Failure("Joint is negative");
-  const auto water = read_late<double>("PointData", "WaterPressure", i, points, 2);
-  if (std::any_of(water.begin(), water.end(),
-                  [](double p) { return !std::isfinite(p); }))
-    throw Failure("WaterPressure has values that are not finite");
+  std::vector<std::pair<int, int>> places(points, {-1, -1});
   if (!joints.empty())
     frame.joints.resize(n);
-  if (!water.empty())
-    frame.water.resize(n);
   frame.outlines.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     const std::int64_t from = starts[b], to = starts[b + 1];
@@ -173,10 +208,11 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
       frame.outlines[b].emplace_back(corners.col(point));
       if (!joints.empty())
         frame.joints[b].push_back(joints[static_cast<std::size_t>(point)]);
-      if (const auto at = 2 * static_cast<std::size_t>(point); !water.empty())
-        frame.water[b].emplace_back(water[at], water[at + 1]);
+      places[static_cast<std::size_t>(point)] = {static_cast<int>(b),
+                                                 static_cast<int>(k - from)};
     }
   }
+  read_wet_sides(i, places, frame);
 }
 
 Frame ResultsReader::File::read(hsize_t i) const {

@@ -119,6 +119,12 @@ struct ResultsReader::File {
   std::vector<T> read_late(const std::string& group, const std::string& name, hsize_t i,
                            hsize_t rows, hsize_t width) const;
   std::vector<Eigen::Vector2d> read_water_line(hsize_t i) const;
+  /// Adds Frame::wet_sides. places: the block and the side that begins at each point,
+  /// -1: that of a removed block.
+  void read_wet_sides(hsize_t i, const std::vector<std::pair<int, int>>& places,
+                      Frame& frame) const;
+  /// Returns the first row and the number of rows of a frame in a list of water.
+  std::pair<hsize_t, hsize_t> water_rows(const char* name, hsize_t i) const;
   /// Returns the number of corners of each block in frame i.
   std::vector<std::int64_t> read_corner_counts(hsize_t i) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;

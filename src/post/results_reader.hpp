@@ -2,6 +2,7 @@
 // and the run.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <map>
 #include <memory>
@@ -17,6 +18,14 @@
 
 namespace blocks::post {
 
+/// A part of a side on which the pressure of water is linear.
+struct WetSide {
+  int block = 0, side = 0;              ///< from 0
+  std::array<Eigen::Vector2d, 2> ends;  ///< [L]
+  Eigen::Vector2d share;                ///< of the side: 0 at its first corner
+  Eigen::Vector2d pressure;             ///< [F/L^2] at both ends, >= 0
+};
+
 /// One stored state of the model, with n blocks. The outline of a removed block is
 /// empty, and its numbers other than number, material and fixed are NaN.
 struct Frame {
@@ -27,11 +36,8 @@ struct Frame {
   /// Joint id of the side that begins at each corner of `outlines`, >= 0; empty if the
   /// file has none, so all are 0.
   std::vector<std::vector<int>> joints;
-  /// [F/L^2] pressure of water at the first and the last corner of the side that begins
-  /// at each corner of `outlines`; negative at an end above the table. Empty if the file
-  /// has none.
-  std::vector<std::vector<Eigen::Vector2d>> water;
-  Eigen::Matrix2Xd water_force;  ///< [F] (2, n); empty if the file has none
+  std::vector<WetSide> wet_sides;  ///< in the order of blocks and sides
+  Eigen::Matrix2Xd water_force;    ///< [F] (2, n); empty if the file has none
   /// [L] The water table from the left to the right, longer than the model is wide;
   /// empty without one.
   std::vector<Eigen::Vector2d> water_line;

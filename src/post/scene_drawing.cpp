@@ -61,8 +61,12 @@ class SceneDrawing {
         draw_arrows(pen_, axes_, picture_, scales_, options_, plane);
       if (!mirrored)
         numbers();
-      water_table();
     }
+    for (const bool mirrored : {true, false})
+      if (!mirrored || options_.mirror) {
+        mirrored_ = mirrored;
+        water_table();
+      }
     if (options_.mirror)
       centre_line();
     else
@@ -262,10 +266,34 @@ class SceneDrawing {
     }
   }
 
-  /// Draws the water table with its sign where it leaves the picture on the left, or,
-  /// if it ends before, at its left end.
+  /// Returns the water table; of a picture with a mirror, what is on the side of the
+  /// model.
+  Outline table_of_model() const {
+    Outline line;
+    if (!options_.mirror)
+      return now_.water_line;
+    double sum = 0.0;  // tells on which side the model is
+    for (const Outline& outline : now_.outlines)
+      for (const Eigen::Vector2d& p : outline)
+        sum += p.x() - options_.mirror_x;
+    const auto is_here = [&](const Eigen::Vector2d& p) {
+      return (p.x() - options_.mirror_x) * sum >= 0.0;
+    };
+    for (std::size_t k = 0; k < now_.water_line.size(); ++k) {
+      const Eigen::Vector2d& p = now_.water_line[k];
+      if (k > 0 && is_here(p) != is_here(now_.water_line[k - 1])) {
+        const Eigen::Vector2d& q = now_.water_line[k - 1];
+        line.emplace_back(q + (options_.mirror_x - q.x()) / (p.x() - q.x()) * (p - q));
+      }
+      if (is_here(p))
+        line.push_back(p);
+    }
+    return line;
+  }
+  /// Draws the water table, with its sign at a twentieth of the width of the picture. A
+  /// table that does not pass there has no sign.
   void water_table() {
-    const Outline& line = now_.water_line;
+    const Outline line = table_of_model();
     if (line.size() < 2)
       return;
     for (const Eigen::Vector2d& p : line)
@@ -274,7 +302,6 @@ class SceneDrawing {
     for (const Eigen::Vector2d& p : line)
       cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
     pen_.stroke(1.6, water_colour);
-    // The sign stands at a twentieth of the width of the picture.
     constexpr double part = 0.05;
     const double x = axes_.left + part * axes_.width;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {

@@ -8,40 +8,43 @@ namespace blocks::post {
 
 void ViewWater::add_frame(const Frame& now, const ViewShapes& shapes) {
   auto& frame = frames_.emplace_back();
-  for (std::size_t b = 0; b < now.water.size(); ++b) {
-    if (now.fixed[b] != 0)
+  int before = -1, number = 0;
+  for (const WetSide& side : now.wet_sides) {
+    if (now.fixed[static_cast<std::size_t>(side.block)] != 0)
       continue;  // as in face_sides.cpp
-    for (std::size_t k = 0; k < now.water[b].size(); ++k) {
-      const Eigen::Vector2d& pressures = now.water[b][k];
-      if (!pressures.any())
-        continue;
-      const int corner =
-          shapes.corner_index(static_cast<int>(b) + 1, static_cast<int>(k) + 1);
-      const auto [found, is_new] =
-          sides_.try_emplace(corner, static_cast<std::uint32_t>(sides_.size()));
-      frame.push_back(
-          {found->second, four_digits(pressures[0]), four_digits(pressures[1])});
-    }
+    const int corner = shapes.corner_index(side.block + 1, side.side + 1);
+    number = corner == before ? number + 1 : 0;
+    before = corner;
+    const auto [found, is_new] = parts_.try_emplace(
+        std::pair(corner, number), static_cast<std::uint32_t>(parts_.size()));
+    frame.push_back({found->second,
+                     side.share,
+                     {four_digits(side.pressure[0]), four_digits(side.pressure[1])}});
   }
   lines_.push_back(now.water_line);
 }
 
 void ViewWater::store(ViewStore& store) const {
-  std::vector<std::uint32_t> corners(sides_.size());
-  for (const auto& [corner, side] : sides_)
-    corners[side] = static_cast<std::uint32_t>(corner);
-  DigitColumn column{2 * sides_.size(), {}, {}};
+  std::vector<std::uint32_t> corners(parts_.size());
+  for (const auto& [place, part] : parts_)
+    corners[part] = static_cast<std::uint32_t>(place.first);
+  DigitColumn shares{2 * parts_.size(), {}, {}}, pressures = shares;
   for (const auto& frame : frames_) {
-    std::vector<double> values(column.rows, std::numeric_limits<double>::quiet_NaN());
-    for (const Pressed& pressed : frame) {
-      values[2 * pressed.side] = pressed.first;
-      values[2 * pressed.side + 1] = pressed.second;
+    std::vector<double> at(shares.rows, 0.0),
+        values(shares.rows, std::numeric_limits<double>::quiet_NaN());
+    for (const Pressed& pressed : frame)
+      for (std::size_t end = 0; end < 2; ++end) {
+        at[2 * pressed.part + end] = pressed.share[static_cast<Eigen::Index>(end)];
+        values[2 * pressed.part + end] = pressed.value[end];
+      }
+    for (std::size_t row = 0; row < shares.rows; ++row) {
+      shares.add(at[row]);
+      pressures.add(values[row]);
     }
-    for (const double value : values)
-      column.add(value);
   }
   store.add("water_side", "u32", corners);
-  store.add_digits("water_pressure", column);
+  store.add_digits("water_part", shares);
+  store.add_digits("water_pressure", pressures);
 }
 
 nlohmann::ordered_json ViewWater::lines() const {

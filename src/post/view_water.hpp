@@ -2,6 +2,7 @@
 // all frames.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,16 +15,19 @@
 
 namespace blocks::post {
 
+/// The parts of sides that water presses in any frame. A side may have several parts,
+/// whose ends move along it from frame to frame.
 class ViewWater {
  public:
   /// Adds the next frame; its shapes must have been added.
   void add_frame(const Frame& now, const ViewShapes& shapes);
 
   /// Whether water presses on a side in any frame.
-  bool any() const { return !sides_.empty(); }
+  bool any() const { return !parts_.empty(); }
 
-  /// Adds the sides, as indices over the corners of all shapes, and the pressures at
-  /// both ends of each side in each frame; NaN where there is none.
+  /// Adds the sides of the parts, as indices over the corners of all shapes, the ends
+  /// of each part in each frame as shares of its side, and the pressures there; NaN
+  /// where the part is dry.
   void store(ViewStore& store) const;
 
   /// Returns the tables of all frames, each as x, y, x, y ...; null without any.
@@ -31,10 +35,12 @@ class ViewWater {
 
  private:
   struct Pressed {
-    std::uint32_t side;
-    float first, second;  ///< [F/L^2] with four digits
+    std::uint32_t part;
+    Eigen::Vector2d share;       ///< of the side
+    std::array<float, 2> value;  ///< [F/L^2] with four digits
   };
-  std::map<int, std::uint32_t> sides_;  ///< by the corner where they begin
+  /// By the corner where the side begins, and the number of the part on it.
+  std::map<std::pair<int, int>, std::uint32_t> parts_;
   std::vector<std::vector<Pressed>> frames_;
   std::vector<std::vector<Eigen::Vector2d>> lines_;
 };

@@ -79,9 +79,9 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
                       step,       time, now.depth,
                       now.pressed};
   }
-  if (found.water.share > totals_.water.share)
-    totals_.water = {found.water.block, step, time, found.water.share};
-  totals_.water.tested |= !model.loads.water.table.none();
+  if (found.water.block >= 0 &&
+      (!totals_.water.tested || found.water.share > totals_.water.share))
+    totals_.water = {found.water.block, step, time, found.water.share, true};
   totals_.faults.insert(totals_.faults.end(), verdict.faults.begin(),
                         verdict.faults.end());
 

@@ -227,8 +227,7 @@ TEST(Water, OfADryJointHasNoPressure) {
   const Water water{level_at(100.0), {{.joint = 3}}};
   const WaterNow now(water, 0.0);
   EXPECT_EQ(now.on_side({0, 0}, {1, 0}, 3).first, 0.0);
-  EXPECT_EQ(now.pressure({0, 0}, 3), 0.0);
-  EXPECT_NEAR(now.pressure({0, 0}, 0), 100.0 * gamma, 1e-9);
+  EXPECT_NEAR(now.on_side({0, 0}, {1, 0}, 0).first, 50.0 * gamma, 1e-9);
 }
 
 TEST(Water, ChangesLinearlyInTime) {
@@ -244,9 +243,54 @@ TEST(Water, ChangesLinearlyInTime) {
   EXPECT_EQ(WaterNow(water, 1.0).level_at(5), 0.0);
   EXPECT_NEAR(WaterNow(water, 7.0).level_at(5), 3.0, 1e-15);
   EXPECT_EQ(WaterNow(water, 12.0).level_at(20), 8.0);
-  EXPECT_NEAR(WaterNow(water, 1.0).pressure({0.5, 0}, 1), 2.0, 1e-15);
   EXPECT_TRUE(water.will_change(11.9));
   EXPECT_FALSE(water.will_change(12.0));
+}
+
+/// A side has a part for each straight part of the table that is above it.
+TEST(Water, PartsOfASideEndAtThePointsOfTheTable) {
+  const Water water{{gamma, {0, 1}, {0, 5, 10}, {-1, 3, -1}, {-1, 3, -1}}, {}};
+  std::vector<WetPart> parts;
+  WaterNow(water, 0.0).add_parts({10, 0}, {0, 0}, 0, parts);
+  ASSERT_EQ(parts.size(), 2U);
+  const WetPart &one = parts[0], &other = parts[1];
+  // Wet from x = 1.25 to 8.75, with the largest pressure in the middle.
+  EXPECT_NEAR(std::min(one.t0, other.t0), 0.125, 1e-15);
+  EXPECT_NEAR(std::max(one.t1, other.t1), 0.875, 1e-15);
+  EXPECT_NEAR(std::max(one.p0, one.p1), 3.0 * gamma, 1e-9);
+  EXPECT_EQ(std::min(one.p0, one.p1), 0.0);
+}
+
+TEST(Water, OfAJointTakesThePlaceOfTheTableWhileItRises) {
+  const Water water{level_at(1.0),
+                    {{.joint = 1,
+                      .a = {0, 0},
+                      .b = {1, 0},
+                      .p1 = 4.0,
+                      .p2 = 4.0,
+                      .reach = 1.0,
+                      .begin = 0.0,
+                      .duration = 10.0},
+                     {.joint = 2, .begin = 0.0, .duration = 10.0}}};
+  const auto mean = [&](int joint, double time) {
+    const EndLoads loads = WaterNow(water, time).on_side({0, 0}, {1, 0}, joint);
+    return loads.first + loads.second;
+  };
+  EXPECT_NEAR(mean(1, 0.0), gamma, 1e-9);
+  EXPECT_NEAR(mean(1, 2.5), 0.75 * gamma + 1.0, 1e-9);
+  EXPECT_NEAR(mean(1, 10.0), 4.0, 1e-12);
+  EXPECT_NEAR(mean(2, 5.0), 0.5 * gamma, 1e-9) << "it dries";
+  EXPECT_EQ(mean(2, 10.0), 0.0);
+}
+
+TEST(Water, ThatDrainsIsGoneAfterwards) {
+  WaterTable table = level_at(5.0);
+  table.to = {-9.0};
+  table.duration = 2.0, table.drains = true;
+  const Water water{table, {}};
+  EXPECT_TRUE(WaterNow(water, 1.9).has_table());
+  EXPECT_FALSE(WaterNow(water, 2.0).has_table());
+  EXPECT_EQ(WaterNow(water, 3.0).on_side({0, -20}, {1, -20}, 0).first, 0.0);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Model full_model() {
   model.cracks[0].parent = 0, model.cracks[0].child = 1;
   model.crack_refusals = {{0, CrackRefusal::small}, {1, CrackRefusal::full}};
   samples::add_laws(model);
-  model.loads.water = {{100.0, {0, 1}, {0, 4}, {-9, -9}, {1, 2}, 0.0, 0.5},
+  model.loads.water = {{100.0, {0, 1}, {0, 4}, {-9, -9}, {1, 2}, 0.0, 0.5, false},
                        {{.joint = 0,
                          .a = {0, 0},
                          .b = {2, 0},

@@ -262,14 +262,18 @@ def test_water(tmp_path):
     run("run", tmp_path / "wet.deck", "-o", tmp_path / "wet")
     results = read(tmp_path / "wet.vtkhdf")
     dry, wet = results[0], results[-1]
-    assert dry.water_table.shape == (0, 2) and not dry.water_pressure.any() and not dry.water_force.any()
+    assert dry.water_table.shape == (0, 2) and not len(dry.wet_sides) and not dry.water_force.any()
     line = wet.water_table
     assert line[0][0] < 0 and (np.diff(line[:, 0]) > 0).all()
-    # The pressure at each corner is that of its depth; on dry sides it is 0.
-    depth = np.interp(wet.corners[:, 0], line[:, 0], line[:, 1]) - wet.corners[:, 1]
-    pressed = wet.water_pressure.any(axis=1)
-    assert np.allclose(wet.water_pressure[pressed, 0], 5000 * depth[pressed])
-    assert (depth[~pressed] <= 0).all() and pressed.sum() > 8
+    # The pressure at each end of a part is that of its depth.
+    sides, ends = wet.wet_sides, np.roll(np.arange(len(wet.corners)), -1)
+    for first, last in zip(wet.first_corner[:-1], wet.first_corner[1:]):
+        ends[last - 1] = first
+    assert len(sides) > 8
+    for corner, share, pressure in sides:
+        at = wet.corners[corner] + share[:, None] * (wet.corners[ends[corner]] - wet.corners[corner])
+        depth = np.interp(at[:, 0], line[:, 0], line[:, 1]) - at[:, 1]
+        assert np.allclose(pressure, 5000 * depth, atol=1e-6)
     # Drowned: the weight of the water, and its slope.
     assert np.allclose(wet.water_force[1], [-5000 * 0.2 * 0.5, 5000 * 0.5])
     assert np.array_equal(wet.quantity("water_y"), wet.water_force[:, 1])

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "output/checkpoint.hpp"
 #include "post/results_reader.hpp"
@@ -158,11 +159,16 @@ TEST_F(WaterRuns, ResultsHavePressuresForcesAndTheTable) {
   ASSERT_GE(wet.water_line.size(), 3U);
   EXPECT_LT(wet.water_line.front().x(), -5.0);
   EXPECT_NEAR(wet.water_line.front().y(), 1.0, 1e-15);
-  ASSERT_EQ(wet.water.size(), 2U);
   // Side 1 is the left one, from below to above; side 4 is the base.
-  EXPECT_NEAR(wet.water[1][0][0], 4000.0, 20.0);
-  EXPECT_NEAR(wet.water[1][0][1], -4000.0, 20.0) << "its end is 1 m above the table";
-  EXPECT_NEAR(wet.water[1][3][0], 8000.0, 20.0);
+  std::map<int, post::WetSide> sides;
+  for (const post::WetSide& side : wet.wet_sides)
+    if (side.block == 1)
+      sides[side.side] = side;
+  ASSERT_GE(sides.size(), 3U);
+  EXPECT_NEAR(sides[0].pressure[0], 4000.0, 20.0);
+  EXPECT_EQ(sides[0].pressure[1], 0.0);
+  EXPECT_NEAR(sides[0].share[1], 0.5, 0.01) << "the upper half is dry";
+  EXPECT_NEAR(sides[3].pressure[0], 8000.0, 20.0);
   // By areas: the part of the block below the line from (0, 1) to (2, 2) is 3 m2.
   EXPECT_NEAR(wet.water_force(1, 1), 4000.0 * 3.0, 40.0);
   EXPECT_NEAR(wet.water_force(0, 1), -4000.0 * 0.5 * 3.0, 20.0);
@@ -177,6 +183,71 @@ TEST_F(WaterRuns, ResultsHavePressuresForcesAndTheTable) {
       blocks("plot a.vtkhdf -t 0 --colour water_pressure", folder_.path());
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("no water presses on a side at the times drawn"));
+}
+
+/// A driven block leaves a joint under water: the water follows into the open joint,
+/// and beyond its shore the block is in air.
+TEST_F(WaterRuns, FollowsIntoJointsThatOpenAndStaysBehindInTheRock) {
+  run_text(folder_, "a",
+           preliminary() + rectangle(-1, -2, 9, 0, true) +
+               rectangle(-1, 0, 0, 2, true) + rectangle(0, 0, 1, 2, true) +
+               "GRAVITY, 0, -10\nDRIVE, 3, 4, 0\nWATER, 5000, 3\n0, 2\n3, 2\n"
+               "3.1, -1\nHISTORY, .01, x:3, water_x:3\nMOTION, 2\n");
+  const post::ResultsReader results((folder_ / "a.vtkhdf").string());
+  const auto& values = results.recorded().at(0).values;
+  int opened = 0, beyond = 0;
+  for (Eigen::Index i = 0; i < values.cols(); ++i) {
+    const double left = values(0, i) - 0.5, force = values(1, i);
+    if (left + 1.0 < 3.0) {
+      EXPECT_NEAR(force, 0.0, 1e-9) << "the same water on both sides";
+      opened += left > 0.1;
+    } else if (left > 3.1) {
+      EXPECT_EQ(force, 0.0);
+      ++beyond;
+    } else if (left + 1.0 > 3.1 && left < 3.0) {
+      EXPECT_NEAR(force, 0.5 * 5000.0 * 4.0, 1e-9) << "water behind it, air before it";
+    }
+  }
+  EXPECT_GT(opened, 10);
+  EXPECT_GT(beyond, 10);
+}
+
+/// Every form of the cards leaves a checkpoint that can be read.
+TEST_F(WaterRuns, CanStopAndGoOnWithEveryForm) {
+  const std::string forms[] = {"WATER, , 0, .5\n",
+                               "WATER, , 0\n",
+                               "WATER, 5000, 1\n0, 1\nWATER, , 0, .01\n",
+                               "WATER, 5000, 1, 9\n0, 1\n",
+                               "JWATER, 0\n",
+                               "JWATER, 0, , , , , , , , .01\n",
+                               "JWATER, 0, 0, 0, 9, 0, 1, 0, , 5\n"};
+  for (const std::string& form : forms) {
+    folder_.write("a.deck", preliminary() + rectangle(0, 0, 1, 1) +
+                                "GRAVITY, 0, -10\n" + form + "CYCLE, 100\n");
+    EXPECT_EQ(blocks("run a.deck -q --stop-after 40", folder_.path()).code, 75) << form;
+    const Outcome on = blocks("run a.deck -q --restart a.ckpt.h5", folder_.path());
+    EXPECT_EQ(on.code, 0) << form << on.err;
+    fs::remove(folder_ / "a.ckpt.h5");
+  }
+}
+
+TEST_F(WaterRuns, WarningsNameWaterThatPressesOnNothing) {
+  const auto said = [&](const std::string& cards) {
+    folder_.write("a.deck",
+                  preliminary() + rectangle(0, 0, 1, 1) + cards + "CYCLE, 9\n");
+    return blocks("check a.deck", folder_.path()).err;
+  };
+  const std::string gravity = "GRAVITY, 0, -10\n";
+  EXPECT_THAT(said(gravity + "WATER, 5000, 1\n0, -1\n"),
+              HasSubstr("WATER: the table lies below all blocks"));
+  EXPECT_THAT(said(gravity + "JWATER, 0, 5, 5, 9, 6, 6, 9\n"),
+              HasSubstr("JWATER: no side of joint id 0 lies between the points"));
+  EXPECT_THAT(said("GRAVITY, 0, -10, 1\nWATER, 5000, 1\n0, 1\n"),
+              HasSubstr("blocks float first"));
+  EXPECT_THAT(said(gravity + "WATER, 5000, 1\n0, 1\nGRAVITY, 5, -5\n"),
+              HasSubstr("GRAVITY: depth below the water table is not measured along"));
+  EXPECT_THAT(said(gravity + "WATER, 5000, 1, 99\n0, 1\n"),
+              HasSubstr("the water table changes during 99"));
 }
 
 TEST_F(WaterRuns, ARampNeedsTheSameDirectionOfGravity) {

@@ -116,9 +116,17 @@ function draw_plane([ax, ay, bx, by]) {
 
 /// Draws the water table, with its sign at a twentieth of the width.
 function draw_water_table(f, half) {
-  const line = meta.water_lines?.[f] ?? [], places = [];
-  for (let i = 0; i < line.length; i += 2)
-    places.push(to_screen(half === corners ? line[i] : 2 * meta.mirror - line[i], line[i + 1]));
+  const flat = meta.water_lines?.[f] ?? [], places = [];
+  let line = flat.flatMap((x, i) => i % 2 ? [] : [[x, flat[i + 1]]]);
+  if (state.mirror) {  // what is on the side of the model
+    const [x] = centre(0, f), here = ([at]) => (at - meta.mirror) * (x - meta.mirror) >= 0;
+    line = line.flatMap((p, k) => {
+      const q = line[k - 1], cut = q && here(p) !== here(q)
+        ? [[meta.mirror, q[1] + (meta.mirror - q[0]) / (p[0] - q[0]) * (p[1] - q[1])]] : [];
+      return here(p) ? [...cut, p] : cut;
+    });
+  }
+  for (const [x, y] of line) places.push(to_screen(half === corners ? x : 2 * meta.mirror - x, y));
   if (places.length < 2) return;
   const stroke = (colour, width) => {
     pen.strokeStyle = colour; pen.lineWidth = width;

@@ -15,7 +15,8 @@ const sides_of = (q) => q.name === "water_pressure" ? {sides: data.water_side, e
 function face_ends({sides, each}, face, which) {
   const from = sides[each.length * face + which], to = corner_beside(from, 1);
   return [0, 1].map((end) => {
-    const part = each.length === 1 ? end : data.face_part[4 * face + 2 * which + end];
+    const part = each.length === 1 ? data.water_part[2 * (state.frame * sides.length + face) + end]
+      : data.face_part[4 * face + 2 * which + end];
     return [0, 1].map((axis) => corners[2 * from + axis] + part * (corners[2 * to + axis] - corners[2 * from + axis]));
   });
 }
@@ -35,11 +36,7 @@ function draw_faces(f, visible, halves) {
     const sign = half === corners || !q.odd ? 1 : -1, place = ([x, y]) => to_screen(half === corners ? x : 2 * meta.mirror - x, y);
     for (const face of faces)
       for (const which of its.each) {
-        let [from, to] = face_ends(its, face, which).map(place), [a, b] = [sign * all[at(face)], sign * all[at(face) + 1]];
-        if (its.each.length === 1 && Math.min(a, b) < 0) {  // the part below the water table
-          const edge = [0, 1].map((axis) => from[axis] + a / (a - b) * (to[axis] - from[axis]));
-          if (a < 0) [from, a] = [edge, 0]; else [to, b] = [edge, 0];
-        }
+        const [from, to] = face_ends(its, face, which).map(place), [a, b] = [sign * all[at(face)], sign * all[at(face) + 1]];
         if (Math.max(from[0], to[0]) < -wide || Math.min(from[0], to[0]) > model.clientWidth + wide
           || Math.max(from[1], to[1]) < -wide || Math.min(from[1], to[1]) > model.clientHeight + wide) continue;
         const shades = pen.createLinearGradient(...from, ...to);

@@ -116,10 +116,10 @@ class Frame:
     # Shape
 
     @functools.cached_property
-    def _outlines(self) -> tuple[_Floats, _Integers, _Integers, _Floats]:
-        """Corners of all blocks that are not removed, where each block begins, joint ids and pressures of water."""
+    def _outlines(self) -> tuple[_Floats, _Integers, _Integers, _Integers]:
+        """Corners of all blocks that are not removed, where each begins, joint ids, and the points of the corners."""
 
-        def action(file: h5py.File) -> tuple[_Floats, _Integers, _Integers, _Floats]:
+        def action(file: h5py.File) -> tuple[_Floats, _Integers, _Integers, _Integers]:
             vtk, i = file["VTKHDF"], self.index
             steps = vtk["Steps"]
             part = int(steps["PartOffsets"][i])
@@ -133,27 +133,23 @@ class Frame:
             starts = vtk["Offsets"][first : first + blocks + 1]
             first = int(steps["ConnectivityIdOffsets"][i])
             order = vtk["Connectivity"][first : first + ids]
-            def late(name: str, empty: NDArray[Any]) -> NDArray[Any]:
-                offsets = steps.get(f"PointDataOffsets/{name}")
-                if offsets is None or offsets.shape[0] <= i:
-                    return empty
-                return vtk[f"PointData/{name}"][int(offsets[i]) : int(offsets[i]) + points]
-
-            joint = late("Joint", np.zeros(points, np.int32))
-            water = late("WaterPressure", np.zeros((points, 2)))
+            joint = np.zeros(points, np.int32)
+            offsets = steps.get("PointDataOffsets/Joint")
+            if offsets is not None and offsets.shape[0] > i:
+                first = int(offsets[i])
+                joint = vtk["PointData/Joint"][first : first + points]
             expected("Points", corners, (points, 2), "f")
             expected("Offsets", starts, (blocks + 1,), "iu")
             expected("Connectivity", order, (ids,), "iu")
             expected("PointData/Joint", joint, (points,), "iu")
-            expected("PointData/WaterPressure", water, (points, 2), "f")
             if starts[0] != 0 or starts[-1] != ids or (np.diff(starts) < 0).any():
                 raise ValueError("Offsets is out of range")
             if ((order < 0) | (order >= points)).any():
                 raise ValueError("Connectivity is out of range")
-            return corners[order], starts, joint[order], water[order]
+            return corners[order], starts, joint[order], order
 
-        corners, starts, joint, water = self.results._file.read(action)
-        return frozen(corners), frozen(starts), frozen(joint), frozen(water)
+        corners, starts, joint, order = self.results._file.read(action)
+        return frozen(corners), frozen(starts), frozen(joint), frozen(order)
 
     @property
     def corners(self) -> _Floats:
@@ -170,26 +166,43 @@ class Frame:
         """(m,) joint id of the side that begins at each corner; 0: none."""
         return self._outlines[2]
 
-    @property
-    def water_pressure(self) -> _Floats:
-        """(m, 2) [F/L^2] pressure of water at both ends of the side that begins at each corner.
+    def _of_water(self, rows: str, names: tuple[str, ...]) -> tuple[NDArray[Any], ...]:
+        """Rows of this frame of datasets of BLOCKS/water, without any if there is no water."""
 
-        It is 0 on dry sides, and negative at an end that lies above the water table.
+        def action(file: h5py.File) -> tuple[NDArray[Any], ...]:
+            water = file.get("BLOCKS/water")
+            first, count = 0, 0
+            if water is not None and "points_of_frame" in water and water[rows].shape[0] > self.index:
+                first, count = map(int, water[rows][self.index])
+            if count == 0:
+                return ()
+            return tuple(water[name][first : first + count] for name in names)
+
+        return self.results._file.read(action)
+
+    @functools.cached_property
+    def wet_sides(self) -> NDArray[np.void]:
+        """The parts of sides on which water presses, with linear pressure: a structured array.
+
+        `corner` is the row of `corners` where the side begins, `share` (2,) are the ends of the part as shares of
+        the side, `pressure` (2,) [F/L^2] is the pressure there.
         """
-        return self._outlines[3]
+        kind = np.dtype([("corner", np.int64), ("share", np.float64, 2), ("pressure", np.float64, 2)])
+        found = self._of_water("parts_of_frame", ("corner", "part"))
+        table = np.zeros(len(found[0]) if found else 0, kind)
+        if found:
+            order = self._outlines[3]
+            rows = np.full(int(order.max()) + 1, -1, np.int64)
+            rows[order] = np.arange(len(order))
+            expected("BLOCKS/water/part", found[1], (len(table), 4), "f")
+            table["corner"], table["share"], table["pressure"] = rows[found[0]], found[1][:, :2], found[1][:, 2:]
+        return frozen(table)
 
     @functools.cached_property
     def water_table(self) -> _Floats:
         """(k, 2) [L] the water table as a line from the left to the right; (0, 2) without one."""
-
-        def action(file: h5py.File) -> _Floats:
-            water = file.get("BLOCKS/water")
-            if water is None or "count" not in water or water["count"].shape[0] <= self.index:
-                return np.zeros((0, 2))
-            first, count = int(water["first"][self.index]), int(water["count"][self.index])
-            return expected("BLOCKS/water/points", water["points"][first : first + count], (count, 2), "f")
-
-        return frozen(self.results._file.read(action))
+        found = self._of_water("points_of_frame", ("point",))
+        return frozen(found[0] if found else np.zeros((0, 2)))
 
     @functools.cached_property
     def polygons(self) -> list[_Floats]:
