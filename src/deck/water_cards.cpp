@@ -59,14 +59,14 @@ std::vector<CardSpec> water_cards() {
              "the pressure acts on sides up to this distance from the line; blank: "
              "a hundredth of its length"},
             {"tramp", real, "0", not_negative, "[T]",
-             "time in which the pressure rises from 0"}},
+             "time in which it takes the place of the table's pressure"}},
        .notes =
            "The sides of the id carry this pressure in place of that of the table of "
            "WATER. It is linear from point 1 to point 2, and acts where a "
            "side lies between them, within reach of the line: a side that has moved "
            "away "
            "has left the water. Several cards of an id add up. With the id only, "
-           "its sides are dry.",
+           "its sides are dry, and its cards before have no effect.",
        .example = "JWATER, 3, 0., 5., 4.9D4, 10., 0., 0."},
   };
 }
@@ -89,6 +89,15 @@ std::optional<Card> build_joint_water(const std::vector<Value>& f,
               f[6].as_real(), f[7].as_real(), f[8].as_real()};
   const bool one_point =
       card.x1.value == card.x2.value && card.y1.value == card.y2.value;
+  const bool has_points = card.x1.given || card.y1.given || card.x2.given ||
+                          card.y2.given || card.reach.given;
+  if (has_points && !card.p1.given && !card.p2.given) {
+    diagnostics.error(card.x1.given ? card.x1.where : card.id.where, "JWATER",
+                      "there are points, but no pressure",
+                      "give p1 at (x1, y1) and p2 at (x2, y2); with the id only, its "
+                      "sides are dry");
+    return {};
+  }
   if (card.presses() && one_point) {
     diagnostics.error(card.x2.given ? card.x2.where : card.p1.where, "JWATER",
                       "the pressure needs two different points",

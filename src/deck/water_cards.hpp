@@ -17,7 +17,7 @@ std::vector<CardSpec> water_cards();
 std::optional<Card> build_water(const std::vector<Value>& fields,
                                 Diagnostics& diagnostics);
 
-/// Builds JWATER; a pressure needs two different points and a reach.
+/// Builds JWATER; a pressure needs two different points.
 std::optional<Card> build_joint_water(const std::vector<Value>& fields,
                                       Diagnostics& diagnostics);
 

@@ -211,6 +211,7 @@ struct Builder::Visitor {
     settings.gravity_ramp = {settings.gravity_at(model.time), model.time,
                              card.tramp.value};
     settings.gravity = {card.gravx.value, card.gravy.value};
+    self.check_direction_of_water(command);
   }
   void operator()(const deck::Fix& card) {
     for (const int b : self.blocks_named(command, card.nblok)) {

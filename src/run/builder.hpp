@@ -243,6 +243,10 @@ class Builder {
 
   // Water, in builder_water.cpp
   void set_water(const deck::Command& command, const deck::Water& card);
+  /// Warns if gravity has another direction than the depth below a water table.
+  void check_direction_of_water(const deck::Command& command);
+  /// Warns if the table presses on nothing, or acts before the weight of blocks does.
+  void check_water(const deck::Command& command, const deck::Water& card);
   void set_joint_water(const deck::Command& command, const deck::Jwater& card);
 
   // Rest and waves, in builder_rest.cpp and builder_quiet.cpp

@@ -66,12 +66,26 @@ void Builder::set_water(const Command& command, const deck::Water& card) {
   WaterTable table;
   if (!gravity.isZero(0.0))
     table.up = -gravity.normalized();
-  const Vec2 across = table.across();
   Water& water = model_.loads.water;
   const double tramp = card.tramp.value;
-  if (tramp > 0.0 && !water.table.none() && water.table.up != table.up) {
+  const bool has_table = WaterNow(water, model_.time).has_table();
+  constexpr double same = 1e-9;  // of directions
+  const bool turned = has_table && (water.table.up - table.up).norm() > same;
+  if (has_table && !turned)
+    table.up = water.table.up;
+  const Vec2 across = table.across();
+  if (tramp > 0.0 && turned) {
     diagnostics_.error(card.tramp.where, command.name,
                        "gravity has another direction than at the WATER card before",
+                       "give the table without tramp");
+    return;
+  }
+  if (tramp > 0.0 && has_table && card.n.value > 0 &&
+      card.gamma.value != water.table.gamma) {
+    diagnostics_.error(card.gamma.where, command.name,
+                       fmt::format("gamma is {:g} at the WATER card before, and cannot "
+                                   "change within tramp",
+                                   water.table.gamma),
                        "give the table without tramp");
     return;
   }
@@ -104,23 +118,67 @@ void Builder::set_water(const Command& command, const deck::Water& card) {
   if (leftwards)
     std::reverse(points.begin(), points.end());
   const double lowest = lowest_corner(model_.blocks, table.up);
-  if (points.empty() && tramp > 0.0)
-    points.push_back({0.0, lowest});  // the table sinks until all is dry
+  if (points.empty() && tramp > 0.0 && has_table) {
+    points.push_back({0.0, lowest});  // it sinks there, and then all is dry
+    table.drains = true;
+  }
   for (const auto& [place, level] : points) {
     table.place.push_back(place);
     table.to.push_back(level);
   }
   table.from = table.to;
   table.gamma = card.n.value > 0 ? card.gamma.value : water.table.gamma;
-  if (tramp > 0.0) {
-    WaterTable before = still(water, model_.time);
-    if (before.none()) {
+  for (const double level : table.to)
+    if (!std::isfinite(table.gamma * (std::abs(level) + std::abs(lowest)))) {
+      diagnostics_.error(command.where, command.name,
+                         "the table is so far from the blocks that pressures overflow",
+                         "give the table near the blocks");
+      return;
+    }
+  if (tramp > 0.0 && !table.none()) {
+    WaterTable before = has_table ? still(water, model_.time) : WaterTable{};
+    if (!has_table) {
       before.place = {0.0};
       before.to = before.from = {lowest};
     }
     table = changing(before, table, model_.time, tramp);
   }
   water.table = table;
+  check_water(command, card);
+}
+
+void Builder::check_water(const Command& command, const deck::Water& card) {
+  const Settings& settings = model_.settings;
+  const WaterTable& table = model_.loads.water.table;
+  if (card.n.value == 0 || diagnostics_.has_errors() || !in_place_)
+    return;
+  const GravityRamp& ramp = settings.gravity_ramp;
+  if (ramp.duration > 0.0 && model_.time < ramp.begin + ramp.duration &&
+      card.tramp.value == 0.0)
+    diagnostics_.warning(
+        command.where, command.name,
+        "the water acts at once, and gravity grows: blocks float first",
+        "give WATER after the ramp of gravity, with a tramp of its own");
+  const Water later{table, {}};
+  WaterNow water(later, model_.time + table.duration);
+  const Blocks& blocks = model_.blocks;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (!blocks.is_removed(b) && water.on_block(blocks, b).acts)
+      return;
+  diagnostics_.warning(command.where, command.name, "the table lies below all blocks",
+                       "gamma times the depth below the table presses on sides");
+}
+
+void Builder::check_direction_of_water(const Command& command) {
+  const WaterTable& table = model_.loads.water.table;
+  const Vec2& gravity = model_.settings.gravity;
+  constexpr double same = 1e-9;  // of directions
+  if (!table.none() && !gravity.isZero(0.0) &&
+      (gravity.normalized() + table.up).norm() > same)
+    diagnostics_.warning(
+        command.where, command.name,
+        "depth below the water table is not measured along this gravity",
+        "another WATER card takes the direction of gravity");
 }
 
 void Builder::set_joint_water(const Command& command, const deck::Jwater& card) {
@@ -145,14 +203,40 @@ void Builder::set_joint_water(const Command& command, const deck::Jwater& card) 
                    card.reach.value,
                    model_.time,
                    card.tramp.value};
-  std::vector<JointWater>& all = model_.loads.water.joints;
-  if (!card.presses())
-    std::erase_if(all, [&](const JointWater& one) { return one.joint == id; });
   if (!card.reach.given) {
     constexpr double part_of_length = 0.01;
     water.reach = part_of_length * (water.b - water.a).norm();
   }
+  const double square = (water.b - water.a).squaredNorm();
+  if (card.presses() && !(square > 0.0 && std::isfinite(square))) {
+    diagnostics_.error(
+        command.where, command.name,
+        "the distance of the two points is no number that can be squared",
+        "give the ends of the joint");
+    return;
+  }
+  std::vector<JointWater>& all = model_.loads.water.joints;
+  if (!card.presses())
+    std::erase_if(all, [&](const JointWater& one) { return one.joint == id; });
   all.push_back(water);
+  if (!card.presses() || diagnostics_.has_errors() || !in_place_)
+    return;
+  const Water alone{{}, {water}};
+  const WaterNow later(alone, model_.time + water.duration);
+  for (int c = 0; c < blocks.corners(); ++c)
+    if (!blocks.is_removed(blocks.corner_block[c])) {
+      const EndLoads loads = later.on_side(
+          blocks.corner.col(c), blocks.corner.col(blocks.next[c]), blocks.joint[c]);
+      if (loads.first > 0.0 || loads.second > 0.0)
+        return;
+    }
+  diagnostics_.warning(
+      command.where, command.name,
+      fmt::format(
+          "no side of joint id {} lies between the points within {:.3g} of their "
+          "line, so nothing is pressed",
+          id, water.reach),
+      "give points on the joint, or a larger reach");
 }
 
 }  // namespace blocks::run

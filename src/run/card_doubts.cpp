@@ -172,13 +172,17 @@ std::vector<Doubt> doubt_ramp(const Plan& plan) {
   std::vector<Doubt> doubts;
   for (auto card = plan.cards.begin(); card != plan.cards.end(); ++card) {
     const auto* gravity = std::get_if<deck::Gravity>(&card->card);
-    if (gravity == nullptr || !(gravity->tramp.value > 0.0))
+    const auto* water = std::get_if<deck::Water>(&card->card);
+    const deck::Real* ramp = gravity ? &gravity->tramp
+                             : water ? &water->tramp
+                                     : nullptr;
+    if (ramp == nullptr || !(ramp->value > 0.0))
       continue;
     double left = 0.0;
     bool passes = false, solves = false, replaced = false;
     for (auto next = card + 1; next != plan.cards.end() && !replaced; ++next) {
       passes = passes || deck::passes_time(*next);
-      replaced = std::holds_alternative<deck::Gravity>(next->card);
+      replaced = next->card.index() == card->card.index();
       solves = solves || std::holds_alternative<deck::Solve>(next->card) ||
                std::holds_alternative<deck::Fos>(next->card);
       if (const auto* motion = std::get_if<deck::Motion>(&next->card))
@@ -187,15 +191,15 @@ std::vector<Doubt> doubt_ramp(const Plan& plan) {
         left += static_cast<double>(cycle->ncycle.value) *
                 dynamics::choose_time_step(plan.model).dt;
     }
-    if (!passes || solves || replaced || left >= gravity->tramp.value)
+    if (!passes || solves || replaced || left >= ramp->value)
       continue;
     doubts.push_back(
-        {fmt::format(
-             "gravity rises during {:g}, and the deck ends {:g} after this card",
-             gravity->tramp.value, left),
-         "a decimal comma makes two values of one: write 9.81, not 9,81; or let the "
-         "deck last longer",
-         gravity->tramp.where, card->name});
+        {fmt::format("{} changes during {:g}, and the deck ends {:g} after this card",
+                     gravity ? "gravity" : "the water table", ramp->value, left),
+         gravity ? "a decimal comma makes two values of one: write 9.81, not 9,81; or "
+                   "let the deck last longer"
+                 : "let the deck last longer, or shorten tramp",
+         ramp->where, card->name});
   }
   return doubts;
 }

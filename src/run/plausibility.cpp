@@ -46,7 +46,7 @@ constexpr PlausibilityRule rules[] = {
     {"strength-without-bond",
      "coh or ten of JOINT exceeds its residual value, and no BOND names the id",
      "add BOND, or give equal residual values", Moment::end, false, doubt_strength},
-    {"endless-ramp", "the deck ends before the ramp of a GRAVITY card does",
+    {"endless-ramp", "the deck ends before the ramp of GRAVITY or WATER does",
      "let the deck last longer, or shorten tramp", Moment::end, false, doubt_ramp},
     {"idle-mscale", "no SOLVE or FOS follows MSCALE", "add SOLVE, or leave MSCALE out",
      Moment::end, false, doubt_scaling},

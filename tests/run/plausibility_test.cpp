@@ -109,7 +109,7 @@ const RuleCase cases[] = {
      "JOINT: coh = 1e+07 does not act, because no BOND card bonds joint id 1\n",
      rigid(square + law + "\n" + end), rigid(square + law + ", , , 1.E7\n" + end)},
     {"endless-ramp",
-     "GRAVITY: gravity rises during 81, and the deck ends 0.1 after this card\n",
+     "GRAVITY: gravity changes during 81, and the deck ends 0.1 after this card\n",
      rigid(square + "GRAVITY, 0, -9,81\n" + end),
      rigid(square + "GRAVITY, 0, -9.8, 1\nMOTION, 1.5\n")},
     {"idle-mscale",
