@@ -67,7 +67,7 @@ std::vector<CardSpec> water_cards() {
            "away "
            "has left the water. Several cards of an id add up. With the id only, "
            "its sides are dry, and its cards before have no effect.",
-       .example = "JWATER, 3, 0., 5., 4.9D4, 10., 0., 0."},
+       .example = "JWATER, 3, 8., 3., 4.9D4, 14., 6., 0."},
   };
 }
 
