@@ -254,7 +254,24 @@ BlockWater WaterNow::on_block(const Blocks& blocks, int b) {
   const bool own = has_own_sides(blocks, b);
   if (!own && (!has_table_ || under_one_part(blocks, b, result)))
     return result;
-  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
+  const int begin = blocks.first_corner[b], end = blocks.first_corner[b + 1];
+  if (!own) {
+    // A block above all points of the table over it is dry.
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double left = infinity, right = -infinity, lowest = infinity, highest = -infinity;
+    for (int c = begin; c < end; ++c) {
+      const Vec2 at = blocks.corner.col(c);
+      left = std::min(left, across_.dot(at)), right = std::max(right, across_.dot(at));
+      lowest = std::min(lowest, water_.table.up.dot(at));
+    }
+    const std::size_t first = part_at(left), last = part_at(right);
+    for (std::size_t k = first == 0 ? 0 : first - 1;
+         k <= last && k < water_.table.place.size(); ++k)
+      highest = std::max(highest, level(k));
+    if (lowest >= highest)
+      return result;
+  }
+  for (int c = begin; c < end; ++c)
     add_side(blocks, c,
              on_side(blocks.corner.col(c), blocks.corner.col(blocks.next[c]),
                      blocks.joint[c]),
