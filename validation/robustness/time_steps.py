@@ -32,7 +32,7 @@ def with_account(text, part):
     if "CYCLE" in names or "FRACTION" not in names or "FOS" in names:
         raise ValueError("it counts steps, has no FRACTION, or has FOS")
     at = names.index("FRACTION")
-    fraction = re.split(r"[,$!]", lines[at])[1].strip()
+    fraction = (re.split(r"[$!]", lines[at])[0].split(",") + [""])[1].strip()
     if not fraction:
         raise ValueError("FRACTION is blank")
     lines[at] = f"FRACTION, {part * float(fraction.upper().replace('D', 'E')):.17g}"

@@ -119,7 +119,9 @@ function draw_water_table(f, half) {
   const flat = meta.water_lines?.[f] ?? [], places = [];
   let line = flat.flatMap((x, i) => i % 2 ? [] : [[x, flat[i + 1]]]);
   if (state.mirror) {  // what is on the side of the model
-    const [x] = centre(0, f), here = ([at]) => (at - meta.mirror) * (x - meta.mirror) >= 0;
+    let sum = 0;  // tells on which side that is, as in scene_drawing.cpp
+    for (let i = 0; i < corners.length; i += 2) sum += corners[i] - meta.mirror;
+    const here = ([x]) => (x - meta.mirror) * sum >= 0;
     line = line.flatMap((p, k) => {
       const q = line[k - 1], cut = q && here(p) !== here(q)
         ? [[meta.mirror, q[1] + (meta.mirror - q[0]) / (p[0] - q[0]) * (p[1] - q[1])]] : [];

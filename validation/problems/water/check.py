@@ -101,7 +101,7 @@ def wedge(case):
 def dam(case):
     text = case.text("dam.deck")
     weight, reservoir, base = 2400 * GRAVITY * 120, 11.0, 10.0
-    heel = 0.2  # the dam slips before it fails, and the reservoir goes along
+    heel = 0.2  # the table falls from here on, so a dam that slips is still in the reservoir
     for what, points in (("full uplift", [(heel, reservoir), (base, 0)]),
                          ("drained", [(heel, reservoir), (2, reservoir / 3), (base, 0)])):
         xs, ys = np.array([(0, reservoir), *points]).T
