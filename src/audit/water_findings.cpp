@@ -71,13 +71,6 @@ Place exact_force(const Outline& shape, const WaterTable& table, const WaterNow&
   return sum;
 }
 
-bool has_own(const Blocks& blocks, int b, const Water& water) {
-  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
-    if (water.has_own(blocks.joint[c]))
-      return true;
-  return false;
-}
-
 }  // namespace
 
 WaterError worst_water(const Moment& moment) {
@@ -88,7 +81,7 @@ WaterError worst_water(const Moment& moment) {
   if (!now.has_table())
     return worst;
   for (int b = 0; b < blocks.size(); ++b) {
-    if (!blocks.is_free(b) || has_own(blocks, b, moment.water))
+    if (!blocks.is_free(b) || moment.water.has_own(blocks, b))
       continue;
     Outline shape;
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)

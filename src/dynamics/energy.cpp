@@ -141,20 +141,25 @@ double work_of_loads(const Model& model) {
   return power * model.time_step.dt;
 }
 
-double work_of_water(const Model& model) {
+/// Returns the work of the water.
+double work_of_water(const Model& model, const WorkSplit& split, Workers& workers,
+                     EnergyMemory& memory) {
   const Blocks& blocks = model.blocks;
   if (model.loads.water.none())
     return 0.0;
-  WaterNow water(model.loads.water, model.time);
-  double power = 0.0;
-  for (int b = 0; b < blocks.size(); ++b) {
-    if (blocks.is_removed(b))
-      continue;
-    const BlockWater sum = water.on_block(blocks, b);
-    power += sum.force.dot(Vec2(blocks.velocity.col(b))) + sum.moment * blocks.spin[b];
-    for (int i = 0; i < 4; ++i)
-      power += sum.sums[i] * blocks.strain_rate(i, b);
-  }
+  const double power =
+      tally_all(blocks.size(), memory.block_tallies, split, workers, memory.shares,
+                [&](int b, BlockTally& tally) {
+                  if (blocks.is_removed(b))
+                    return;
+                  const BlockWater sum =
+                      WaterNow(model.loads.water, model.time).on_block(blocks, b);
+                  tally.water += sum.force.dot(Vec2(blocks.velocity.col(b))) +
+                                 sum.moment * blocks.spin[b];
+                  for (int i = 0; i < 4; ++i)
+                    tally.water += sum.sums[i] * blocks.strain_rate(i, b);
+                })
+          .water;
   return power * model.time_step.dt;
 }
 
@@ -216,7 +221,7 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   account.add(EnergyEntry::transfer, account.elastic - contacts.before);
   account.elastic = contacts.after;
   account.add(EnergyEntry::loads, work_of_loads(model));
-  account.add(EnergyEntry::water, work_of_water(model));
+  account.add(EnergyEntry::water, work_of_water(model, split, workers, memory));
   if (!model.loads.quiet_sides.empty()) {
     const QuietPower power = power_of_quiet_sides(model);
     account.add(EnergyEntry::loads, power.constant * model.time_step.dt);

@@ -4,6 +4,7 @@ namespace blocks::dynamics {
 
 void BlockTally::include(const BlockTally& other) {
   gravity += other.gravity;
+  water += other.water;
   drives += other.drives;
   artificial += other.artificial;
   kinetic += other.kinetic;

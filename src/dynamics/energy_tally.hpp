@@ -20,6 +20,7 @@ struct ContactTally : ContactWork<double> {
 /// Sums of energies over some blocks.
 struct BlockTally {
   double gravity = 0.0, drives = 0.0, artificial = 0.0;
+  double water = 0.0;         ///< power, [F L/T]
   double kinetic = 0.0;       ///< of the velocities before and after the step
   double next_kinetic = 0.0;  ///< of the velocities after the step
   /// The error of the step: half the velocities after the step times their change, less

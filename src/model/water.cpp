@@ -103,6 +103,15 @@ bool Water::has_own(int joint) const {
                      [&](const JointWater& one) { return one.joint == joint; });
 }
 
+bool Water::has_own(const Blocks& blocks, int b) const {
+  if (joints.empty())
+    return false;
+  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
+    if (has_own(blocks.joint[c]))
+      return true;
+  return false;
+}
+
 bool Water::will_change(double time) const {
   const auto changes = [&](const auto& one) {
     return one.duration > 0.0 && time < one.begin + one.duration;
@@ -208,15 +217,6 @@ EndLoads WaterNow::on_side(const Vec2& a, const Vec2& b, int joint) const {
   return loads;
 }
 
-bool WaterNow::has_own_sides(const Blocks& blocks, int b) const {
-  if (water_.joints.empty())
-    return false;
-  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
-    if (water_.has_own(blocks.joint[c]))
-      return true;
-  return false;
-}
-
 /// Finds the resultant if all corners lie under, or all above, one straight part of the
 /// table. The pressure is then linear over the whole block: by the theorem of Gauss,
 /// the force is minus the area times its gradient, it acts at the centroid, and the
@@ -251,7 +251,7 @@ bool WaterNow::under_one_part(const Blocks& blocks, int b, BlockWater& result) {
 
 BlockWater WaterNow::on_block(const Blocks& blocks, int b) {
   BlockWater result;
-  const bool own = has_own_sides(blocks, b);
+  const bool own = water_.has_own(blocks, b);
   if (!own && (!has_table_ || under_one_part(blocks, b, result)))
     return result;
   const int begin = blocks.first_corner[b], end = blocks.first_corner[b + 1];

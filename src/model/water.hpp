@@ -46,6 +46,8 @@ struct Water {
   bool none() const { return table.none() && joints.empty(); }
   /// Returns whether sides with this joint id have a pressure of their own.
   bool has_own(int joint) const;
+  /// Returns whether block b has such sides.
+  bool has_own(const Blocks& blocks, int b) const;
   /// Returns whether levels or pressures change after this time.
   bool will_change(double time) const;
 };
@@ -116,7 +118,6 @@ class WaterNow {
   template <class Visit>
   void each_table_part(const geometry::Vec2& a, const geometry::Vec2& b, double weight,
                        const Visit& visit) const;
-  bool has_own_sides(const Blocks& blocks, int b) const;
   bool under_one_part(const Blocks& blocks, int b, BlockWater& result);
 
   const Water& water_;

@@ -68,8 +68,8 @@ class Builder {
   /// SOLVE lies between, so the blocks are where they will be at that moment.
   void check_before_motion(const deck::Command& command, bool in_place);
 
-  /// After errors of cards, checks before the first motion what does not depend on these:
-  /// the planes and the time step, if no card that makes blocks has failed.
+  /// After errors of cards, checks before the first motion what does not depend on
+  /// these: the planes and the time step, if no card that makes blocks has failed.
   void check_despite_errors(const deck::Command& command);
 
   /// Tests the rules of plausibility about the blocks before a motion. The blocks are
@@ -243,6 +243,10 @@ class Builder {
 
   // Water, in builder_water.cpp
   void set_water(const deck::Command& command, const deck::Water& card);
+  /// Adds the points of the card to a table, in the order of their places. Returns
+  /// false after an error.
+  bool read_points(const deck::Command& command, const deck::Water& card,
+                   WaterTable& table);
   /// Warns if gravity has another direction than the depth below a water table.
   void check_direction_of_water(const deck::Command& command);
   /// Warns if the table presses on nothing, or acts before the weight of blocks does.

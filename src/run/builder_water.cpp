@@ -55,11 +55,48 @@ WaterTable changing(const WaterTable& from, const WaterTable& to, double begin,
   return table;
 }
 
+constexpr double same = 1e-9;  // of directions
+
 std::string listed(const std::set<int>& ids) {
   return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, ", "));
 }
 
 }  // namespace
+
+bool Builder::read_points(const Command& command, const deck::Water& card,
+                          WaterTable& table) {
+  const Vec2 across = table.across();
+  for (std::size_t i = 0; i < card.x.size(); ++i) {
+    const Vec2 at(card.x[i].value, card.y[i].value);
+    table.place.push_back(across.dot(at));
+    table.to.push_back(table.up.dot(at));
+  }
+  const std::vector<double>& place = table.place;
+  const bool leftwards = place.size() > 1 && place[1] < place[0];
+  for (std::size_t i = 1; i < place.size(); ++i) {
+    const double step = place[i] - place[i - 1];
+    if (leftwards ? step < 0.0 : step > 0.0)
+      continue;
+    const Vec2& gravity = model_.settings.gravity;
+    const bool upright = gravity.x() == 0.0;
+    diagnostics_.error(
+        card.x[i].where, command.name,
+        upright ? "the points of the table must follow each other in x"
+                : "the points of the table must follow each other across gravity",
+        upright ? fmt::format("a water table is a function of x; the point before has "
+                              "x = {:g}",
+                              card.x[i - 1].value)
+                : fmt::format("gravity is ({:g}, {:g}) here, and depth is measured "
+                              "along it",
+                              gravity.x(), gravity.y()));
+    return false;
+  }
+  if (leftwards) {
+    std::reverse(table.place.begin(), table.place.end());
+    std::reverse(table.to.begin(), table.to.end());
+  }
+  return true;
+}
 
 void Builder::set_water(const Command& command, const deck::Water& card) {
   const Vec2& gravity = model_.settings.gravity;
@@ -69,11 +106,9 @@ void Builder::set_water(const Command& command, const deck::Water& card) {
   Water& water = model_.loads.water;
   const double tramp = card.tramp.value;
   const bool has_table = WaterNow(water, model_.time).has_table();
-  constexpr double same = 1e-9;  // of directions
   const bool turned = has_table && (water.table.up - table.up).norm() > same;
   if (has_table && !turned)
     table.up = water.table.up;
-  const Vec2 across = table.across();
   if (tramp > 0.0 && turned) {
     diagnostics_.error(card.tramp.where, command.name,
                        "gravity has another direction than at the WATER card before",
@@ -89,42 +124,13 @@ void Builder::set_water(const Command& command, const deck::Water& card) {
                        "give the table without tramp");
     return;
   }
-  struct Point {
-    double place, level;
-  };
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < card.x.size(); ++i) {
-    const Vec2 at(card.x[i].value, card.y[i].value);
-    points.push_back({across.dot(at), table.up.dot(at)});
-  }
-  const bool leftwards = points.size() > 1 && points[1].place < points[0].place;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double step = points[i].place - points[i - 1].place;
-    if (leftwards ? step < 0.0 : step > 0.0)
-      continue;
-    const bool upright = gravity.x() == 0.0;
-    diagnostics_.error(
-        card.x[i].where, command.name,
-        upright ? "the points of the table must follow each other in x"
-                : "the points of the table must follow each other across gravity",
-        upright ? fmt::format("a water table is a function of x; the point before has "
-                              "x = {:g}",
-                              card.x[i - 1].value)
-                : fmt::format("gravity is ({:g}, {:g}) here, and depth is measured "
-                              "along it",
-                              gravity.x(), gravity.y()));
+  if (!read_points(command, card, table))
     return;
-  }
-  if (leftwards)
-    std::reverse(points.begin(), points.end());
   const double lowest = lowest_corner(model_.blocks, table.up);
-  if (points.empty() && tramp > 0.0 && has_table) {
-    points.push_back({0.0, lowest});  // it sinks there, and then all is dry
+  if (table.none() && tramp > 0.0 && has_table) {
+    table.place = {0.0};
+    table.to = {lowest};  // it sinks there, and then all is dry
     table.drains = true;
-  }
-  for (const auto& [place, level] : points) {
-    table.place.push_back(place);
-    table.to.push_back(level);
   }
   table.from = table.to;
   table.gamma = card.n.value > 0 ? card.gamma.value : water.table.gamma;
@@ -172,7 +178,6 @@ void Builder::check_water(const Command& command, const deck::Water& card) {
 void Builder::check_direction_of_water(const Command& command) {
   const WaterTable& table = model_.loads.water.table;
   const Vec2& gravity = model_.settings.gravity;
-  constexpr double same = 1e-9;  // of directions
   if (!table.none() && !gravity.isZero(0.0) &&
       (gravity.normalized() + table.up).norm() > same)
     diagnostics_.warning(
@@ -209,10 +214,9 @@ void Builder::set_joint_water(const Command& command, const deck::Jwater& card) 
   }
   const double square = (water.b - water.a).squaredNorm();
   if (card.presses() && !(square > 0.0 && std::isfinite(square))) {
-    diagnostics_.error(
-        command.where, command.name,
-        "the distance of the two points is no number that can be squared",
-        "give the ends of the joint");
+    diagnostics_.error(command.where, command.name,
+                       "the two points are too near each other or too far apart",
+                       "give the ends of the joint");
     return;
   }
   std::vector<JointWater>& all = model_.loads.water.joints;

@@ -21,8 +21,8 @@ std::vector<Doubt> doubt_water(const Plan& plan);
 /// A restart is not tested: its checkpoint may have bonds.
 std::vector<Doubt> doubt_strength(const Plan& plan);
 
-/// GRAVITY and WATER cards whose ramp lasts longer than the motions that follow. A SOLVE card
-/// takes unknown time, so a ramp with a SOLVE is not tested.
+/// GRAVITY and WATER cards whose ramp lasts longer than the motions that follow. A
+/// SOLVE card takes unknown time, so a ramp with a SOLVE is not tested.
 std::vector<Doubt> doubt_ramp(const Plan& plan);
 
 /// A deck that makes no step.
