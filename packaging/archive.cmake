@@ -14,7 +14,7 @@ list(TRANSFORM CAIRO_STATIC_LIBRARIES PREPEND "-l" OUTPUT_VARIABLE static_cairo)
 list(REMOVE_DUPLICATES static_cairo)
 target_link_libraries(blocks_static PRIVATE
   blocks_options $<TARGET_FILE:blocks_core> $<TARGET_FILE:blocks_geometry>
-  -Wl,--start-group ${static_cairo} ${STATIC_HDF5} -lsz -laec -lz -lmpfr -lgmp -Wl,--end-group)
+  -Wl,--start-group ${static_cairo} -ldxflib ${STATIC_HDF5} -lsz -laec -lz -lmpfr -lgmp -Wl,--end-group)
 add_dependencies(blocks_static blocks_core blocks_geometry)
 
 # install_archived(KIND ...) is install() into the archive only.
@@ -35,7 +35,7 @@ install_manual(. archive EXCLUDE_FROM_ALL)
 
 # The licences of all that is linked into the program.
 foreach(package fonts-dejavu-core libaec-dev libboost1.74-dev libbrotli-dev libc6-dev
-    libcairo2-dev libcgal-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev
+    libcairo2-dev libcgal-dev libcli11-dev libdxflib-dev libeigen3-dev libexpat1-dev libfmt-dev
     libfontconfig-dev libfreetype-dev libgmp-dev libhdf5-dev libmpfr-dev libpixman-1-dev
     libpng-dev librandom123-dev libstdc++-12-dev libx11-dev libxau-dev libxcb1-dev libxdmcp-dev
     libxext-dev libxrender-dev nlohmann-json3-dev zlib1g-dev)

@@ -27,7 +27,7 @@ exactly, results are the same bits from run to run.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libblocks-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libcairo2-dev, libeigen3-dev, libfmt-dev, \
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libcairo2-dev, libdxflib-dev, libeigen3-dev, libfmt-dev, \
 libgmp-dev, libhdf5-dev, libmpfr-dev, zlib1g-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "blocks, cmake")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library, for C++ programs that drive a model of blocks(1)

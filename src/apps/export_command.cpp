@@ -19,10 +19,12 @@
 #include "output/results.hpp"
 #include "post/counted.hpp"
 #include "post/crack_tracker.hpp"
+#include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 #include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
 #include "post/time_series.hpp"
+#include "quantities/units.hpp"
 #include "run/interrupt.hpp"
 #include "text_file.hpp"
 
@@ -36,7 +38,8 @@ using exchange::BlockRecord;
 struct Scene {
   std::vector<BlockRecord> blocks;
   std::optional<double> time;
-  int removed = 0;  ///< number of removed blocks, which are not exported
+  std::string unit;  ///< of length; empty: not named
+  int removed = 0;   ///< number of removed blocks, which are not exported
 };
 
 /// True if the extension or the first bytes of the file are those of results.
@@ -82,6 +85,7 @@ Scene scene_of(const Model& model) {
          {joint + blocks.first_corner[b], joint + blocks.first_corner[b + 1]},
          {}});
   }
+  scene.unit = model.settings.units.length;
   scene.removed = blocks.size() - blocks.count_present();
   return scene;
 }
@@ -97,6 +101,8 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
   };
   Scene scene;
   scene.time = frame.time;
+  if (const auto& units = results.units())
+    scene.unit = units->length;
   std::vector<Eigen::Index> shown;
   for (int b = 0; b < frame.size(); ++b)
     if (!frame.is_removed(b))
@@ -124,6 +130,21 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
   return scene;
 }
 
+/// Returns the scale of a drawing. given: 0 chooses it. Units that are not known are
+/// taken as metres.
+exchange::SvgScale scale_of(const Scene& scene, double given) {
+  const auto unit = quantities::known_lengths().size_of(scene.unit);
+  const double unit_in_m = unit.value_or(1.0);
+  return {given > 0.0 ? given : exchange::default_scale(scene.blocks, unit_in_m),
+          unit_in_m, unit ? scene.unit : std::string()};
+}
+
+std::string write_drawing(const Scene& scene, const exchange::SvgScale& scale) {
+  return exchange::write_svg(scene.blocks, scale, [](int joint) {
+    return post::css(post::joint_colour(joint));
+  });
+}
+
 /// Writes the text form of READ9.
 std::string mesh_text(const Scene& scene, const std::string& comment) {
   std::vector<exchange::Outline> outlines;
@@ -141,7 +162,8 @@ std::string mesh_text(const Scene& scene, const std::string& comment) {
 /// unknown.
 std::string format_of(const std::string& path) {
   static const std::map<std::string, std::string> formats = {
-      {".geojson", "geojson"}, {".json", "geojson"}, {".wkt", "wkt"}, {".msh", "msh"},
+      {".geojson", "geojson"}, {".json", "geojson"}, {".wkt", "wkt"},
+      {".dxf", "dxf"},         {".svg", "svg"},      {".msh", "msh"},
       {".pvd", "pvd"},         {".csv", "csv"},      {".txt", "txt"}};
   const auto found = formats.find(fs::path(path).extension().string());
   return found == formats.end() ? "" : found->second;
@@ -149,6 +171,8 @@ std::string format_of(const std::string& path) {
 
 /// Lists the data of the scene that the format cannot store.
 std::string left_out(const Scene& scene, const std::string& format) {
+  if (format == "svg")
+    return {};  // a picture
   std::string text;
   if (format == "wkt")
     text = "materials";
@@ -204,14 +228,23 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
                   "a deck (its blocks before the first step), or results, "
                   "NAME.vtkhdf")
       ->required();
-  command.add_option("-o,--output", options.output,
-                     ".geojson, .wkt, .msh or .txt (READ9's text form); for results "
-                     "also .pvd (VTU files) or .csv, both with separate files for the "
-                     "contacts (default: INPUT's name with .geojson, in this folder)");
+  command.add_option(
+      "-o,--output", options.output,
+      ".geojson, .wkt, .dxf, .svg, .msh or .txt (READ9's text form); for "
+      "results also .pvd (VTU files) or .csv, both with separate files for the "
+      "contacts (default: INPUT's name with .geojson, in this folder)");
   command
       .add_option("--format", options.format,
-                  "geojson, wkt, msh, txt, pvd or csv, whatever the file extension")
-      ->check(CLI::IsMember({"geojson", "wkt", "msh", "txt", "pvd", "csv"}));
+                  "geojson, wkt, dxf, svg, msh, txt, pvd or csv, whatever the file "
+                  "extension")
+      ->check(
+          CLI::IsMember({"geojson", "wkt", "dxf", "svg", "msh", "txt", "pvd", "csv"}));
+  command
+      .add_option("--scale", options.scale,
+                  "for .svg: 100 draws 1:100 (default: the largest usual scale at "
+                  "which the blocks fit on A4); lengths are in m unless UNITS says "
+                  "otherwise")
+      ->check(CLI::PositiveNumber);
   command.add_option(
       "-t,--time", options.time,
       "for results: time of the frame (default: the last; for .pvd and .csv: all)");
@@ -230,10 +263,12 @@ int export_blocks(ExportOptions options) {
   const std::string format =
       options.format.empty() ? format_of(options.output) : options.format;
   if (format.empty())
-    return refuse(run::usage_error,
-                  fmt::format("{}: the file extension is not a known format: use "
-                              ".geojson, .wkt, .msh, .txt, .pvd or .csv, or --format",
-                              options.output));
+    return refuse(
+        run::usage_error,
+        fmt::format("{}: the file extension is not a known format: use "
+                    ".geojson, .wkt, .dxf, .svg, .msh, .txt, .pvd or .csv, or "
+                    "--format",
+                    options.output));
   if (same_file(input, options.output))
     return refuse(run::usage_error,
                   input + " would be overwritten: choose another -o NAME");
@@ -280,11 +315,14 @@ int export_blocks(ExportOptions options) {
   if (scene.blocks.empty())
     return refuse(run::deck_error, input + " has no blocks");
 
+  const exchange::SvgScale scale = scale_of(scene, options.scale);
   std::string text;
   try {
     text = format == "geojson" ? exchange::write_geojson(scene.blocks, scene.time)
            : format == "wkt"   ? exchange::write_wkt(scene.blocks)
            : format == "msh"   ? exchange::write_gmsh(scene.blocks)
+           : format == "dxf"   ? exchange::write_dxf(scene.blocks, scene.unit)
+           : format == "svg"   ? write_drawing(scene, scale)
                                : mesh_text(scene, "From " + input);
   } catch (const std::invalid_argument& fault) {
     return refuse(run::deck_error,
@@ -299,6 +337,9 @@ int export_blocks(ExportOptions options) {
     if (scene.removed > 0)
       fmt::print("; {} left out", post::counted(static_cast<std::size_t>(scene.removed),
                                                 "removed block"));
+    if (format == "svg")
+      fmt::print("; 1:{:.9g}{}", scale.scale,
+                 scene.unit.empty() ? " if lengths are in m" : "");
     const std::string missing = left_out(scene, format);
     fmt::print("{}\n",
                missing.empty() ? "" : "; ." + format + " leaves out " + missing);

@@ -12,7 +12,8 @@ namespace blocks::apps {
 struct ExportOptions {
   run::RunOptions input;  ///< input.deck is the deck or the results
   std::string output;     ///< empty: the input's name with .geojson, in this folder
-  std::string format;  ///< geojson, wkt, msh, txt, pvd, csv; empty: from the extension
+  std::string format;     ///< geojson, wkt, dxf, svg, ...; empty: from the extension
+  double scale = 0.0;     ///< of SVG, 1:scale; 0: the largest usual one that fits on A4
   std::optional<double> time;  ///< the nearest frame is used; empty: the last one
 };
 

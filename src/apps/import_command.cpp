@@ -5,15 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "deck/mesh_readers.hpp"
 #include "exchange/deck_skeleton.hpp"
-#include "exchange/geojson_reader.hpp"
+#include "exchange/forms.hpp"
 #include "exchange/mesh_writer.hpp"
 #include "exchange/soundness_text.hpp"
-#include "exchange/wkt_reader.hpp"
+#include "import_map.hpp"
 #include "output/check_outputs.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"
@@ -26,14 +27,15 @@ namespace fs = std::filesystem;
 using exchange::Outline;
 using exchange::OutlineFile;
 
-/// Detects the format from the first characters that are not blank.
-std::string recognise(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF"))
-    text.remove_prefix(3);
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first != text.npos && (text[first] == '{' || text[first] == '['))
-    return "geojson";
-  return exchange::looks_like_wkt(text) ? "wkt" : "mesh";
+/// The form that --format names, or that the content has; nothing: a mesh.
+std::optional<exchange::Form> form_of(const std::string& format,
+                                      std::string_view text) {
+  using exchange::Form;
+  return format == "auto"      ? exchange::recognise(text)
+         : format == "geojson" ? std::optional(Form::geojson)
+         : format == "wkt"     ? std::optional(Form::wkt)
+         : format == "dxf"     ? std::optional(Form::dxf)
+                               : std::nullopt;
 }
 
 /// Reads a mesh in one of the forms of READ9.
@@ -127,7 +129,7 @@ int usage(const std::string& message) {
 void add_import_options(CLI::App& command, ImportOptions& options) {
   command
       .add_option("FILE", options.file,
-                  "GeoJSON, WKT, Gmsh .msh, or another form of READ9; - for "
+                  "GeoJSON, WKT, DXF, Gmsh .msh, or another form of READ9; - for "
                   "standard input")
       ->required();
   command.add_option(
@@ -135,14 +137,28 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
       "the mesh to write (default: FILE's name with .mesh.txt, in this folder)");
   command
       .add_option("--format", options.format,
-                  "auto (by content), geojson, wkt, or mesh for READ9's forms")
-      ->check(CLI::IsMember({"auto", "geojson", "wkt", "mesh"}));
+                  "auto (by content), geojson, wkt, dxf, or mesh for READ9's forms")
+      ->check(CLI::IsMember({"auto", "geojson", "wkt", "dxf", "mesh"}));
   command
       .add_option("--material", options.material,
                   "material of blocks for which the file gives none")
       ->check(CLI::PositiveNumber);
   command.add_flag("--deck", options.deck,
                    "also write a deck that uses the mesh, NAME.deck");
+  const auto* map = command.add_flag(
+      "--map", options.map,
+      "the lines are joints: write a deck that cuts blocks along them, NAME.deck");
+  command
+      .add_option("--outline", options.outline,
+                  "with --map: a file with the polygon to be cut (default: the only "
+                  "closed line of a DXF map, or the box around the lines)")
+      ->needs(const_cast<CLI::Option*>(map));
+  command
+      .add_option("--layer", options.layers,
+                  "with --map: the joint id of a layer, NAME=ID, or NAME=outline or "
+                  "NAME=skip; may be repeated")
+      ->needs(const_cast<CLI::Option*>(map))
+      ->allow_extra_args(false);
   command.add_flag("--keep-overlaps", options.keep_overlaps,
                    "accept blocks that overlap, with a warning");
   command.add_flag(
@@ -152,10 +168,11 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
 }
 
 int import_blocks(ImportOptions options) {
+  if (options.map)
+    return import_map(std::move(options));
   const std::string text = run::read_deck(options.file);
   const std::string name = options.file == "-" ? "<standard input>" : options.file;
-  const std::string format =
-      options.format == "auto" ? recognise(text) : options.format;
+  const std::optional<exchange::Form> form = form_of(options.format, text);
   if (options.output.empty())
     options.output = stem_of(options.file) + ".mesh.txt";
   const std::string deck = deck_beside(options.output);
@@ -173,14 +190,12 @@ int import_blocks(ImportOptions options) {
     output::check_outputs({options.output, options.deck ? deck : ""});
 
   OutlineFile file;
-  std::string card = format == "geojson" ? "GeoJSON" : format == "wkt" ? "WKT" : "mesh";
+  const std::string card = form ? exchange::name_of(*form) : "mesh";
   try {
-    file = format == "geojson" ? exchange::read_geojson(text)
-           : format == "wkt"   ? exchange::read_wkt(text)
-                               : read_mesh(name, text);
+    file = form ? exchange::read_outlines(*form, text) : read_mesh(name, text);
   } catch (const deck::UnknownMesh& fault) {
     fmt::print(stderr,
-               "blocks: error: {}\n  hint: import reads GeoJSON, WKT and READ9's "
+               "blocks: error: {}\n  hint: import reads GeoJSON, WKT, DXF and READ9's "
                "forms (docs/exchange.md)\n",
                fault.what());
     return run::deck_error;
@@ -189,6 +204,13 @@ int import_blocks(ImportOptions options) {
                fault.hint().empty() ? "" : "  hint: " + fault.hint() + "\n");
     return run::deck_error;
   }
+  if (file.open.n > 0)
+    file.messages.push_back(
+        {false, file.open.first,
+         fmt::format("{} that {} not closed: no block",
+                     file.open.n == 1 ? "1 line" : fmt::format("{} lines", file.open.n),
+                     file.open.n == 1 ? "is" : "are"),
+         "blocks import --map takes lines as joints"});
   const bool readable = !exchange::has_errors(file.messages);
   std::string report;
   if (readable) {
@@ -224,8 +246,9 @@ int import_blocks(ImportOptions options) {
   std::string skeleton;
   try {
     if (options.deck)
-      skeleton =
-          exchange::write_deck_skeleton(file.outlines, file.material_names, mesh_name);
+      skeleton = exchange::write_deck_skeleton(
+          file.outlines, file.material_names,
+          {mesh_name, fmt::format("READ9, '{}'\n", mesh_name), file.unit});
   } catch (const std::range_error& fault) {
     fmt::print(stderr,
                "blocks: error: {}: {}; nothing written\n  hint: choose another unit of "

@@ -3,15 +3,19 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 namespace blocks::apps {
 
 struct ImportOptions {
   std::string file;
   std::string output;           ///< empty: FILE's name with .mesh.txt, in this folder
-  std::string format = "auto";  ///< auto, geojson, wkt, mesh
+  std::string format = "auto";  ///< auto, geojson, wkt, dxf, mesh
   int material = 0;             ///< of blocks for which the file gives none
   bool deck = false;            ///< also write a deck that uses the mesh
+  bool map = false;             ///< lines are joints, from which a deck cuts blocks
+  std::string outline;          ///< of a map: a file with its polygon; empty: none
+  std::vector<std::string> layers;  ///< of a map: "NAME=3", "NAME=outline", "NAME=skip"
   bool keep_overlaps = false;
   bool report_only = false;
   bool quiet = false;

@@ -111,7 +111,9 @@ struct Layer {
 struct Outline {
   SourceLocation where = {};
   Int nc, mat;
-  std::vector<Exact> x, y;  ///< [L] (nc) corners
+  Word file, layer;         ///< file is given if nc is not
+  std::vector<Exact> x, y;  ///< [L] corners; empty until the file is read
+  std::string file_unit = {};  ///< of length, if the file states one: "mm"
 };
 struct Jset {
   SourceLocation where;
@@ -125,6 +127,7 @@ struct Traces {
   Word file;
   Int id;
   Exact snap;
+  Word layer;  ///< if `given`, only its traces, and all of them have the id
 };
 struct Voronoi {
   SourceLocation where;

@@ -72,6 +72,34 @@ bool check_cells(const Voronoi& cells, Diagnostics& diagnostics) {
   return true;
 }
 
+/// The corners of an outline are either in the deck or in a file.
+bool check_source(const Outline& outline, Diagnostics& diagnostics) {
+  if (outline.nc.given == outline.file.given) {
+    diagnostics.error(
+        outline.file.given ? outline.file.where : outline.nc.where, "OUTLINE",
+        outline.nc.given ? "both nc and a file are given" : "no corners are given",
+        "give nc, the number of corners, or a file with a polygon");
+    return false;
+  }
+  if (outline.layer.given && !outline.file.given) {
+    diagnostics.error(outline.layer.where, "OUTLINE", "a layer is given without a file",
+                      "layers are those of a file");
+    return false;
+  }
+  return true;
+}
+
+/// Tests whether lines of values follow a card that has none, which is an error.
+bool has_data(const CutGroup::Part& part, Diagnostics& diagnostics) {
+  if (part.data.empty())
+    return false;
+  if (part.values.ok)  // otherwise the lines may be part of the same mistake
+    diagnostics.error(part.data.front().fields.front().where, std::string(part.name),
+                      "unexpected line of values after this card",
+                      "syntax: " + find_card(part.name)->syntax());
+  return true;
+}
+
 }  // namespace
 
 bool CutGroup::has(std::string_view card) {
@@ -115,27 +143,28 @@ bool CutGroup::begin(const Part& part, Diagnostics& diagnostics) {
     return false;
   Outline& outline = cut_.outline;
   outline.nc = f[0].as_int();
+  if (part.values.ok) {
+    outline.mat = f[1].as_int();
+    outline.file = f[2].as_word();
+    outline.layer = f[3].as_word();
+    if (!check_source(outline, diagnostics))
+      return false;
+    if (outline.file.given)
+      return !has_data(part, diagnostics);
+  } else if (!outline.nc.given) {
+    return false;
+  }
   TwoLists lists =
       read_two_lists({"OUTLINE", outline.nc.value, "x coordinates", "y coordinates",
                       FieldSpec{"coordinate ", Kind::exact, {}, {}, "[L]", ""}, false},
                      part.data, part.end, diagnostics);
   outline.x = std::move(lists.first);
   outline.y = std::move(lists.second);
-  if (!part.values.ok || !lists.ok)
-    return false;
-  outline.mat = f[1].as_int();
-  return true;
+  return part.values.ok && lists.ok;
 }
 
 bool CutGroup::add(const Part& part, Diagnostics& diagnostics) {
-  if (!part.data.empty()) {
-    if (part.values.ok)  // otherwise the lines may be part of the same mistake
-      diagnostics.error(part.data.front().fields.front().where, std::string(part.name),
-                        "unexpected line of values after this card",
-                        "syntax: " + find_card(part.name)->syntax());
-    return false;
-  }
-  if (!part.values.ok)
+  if (has_data(part, diagnostics) || !part.values.ok)
     return false;
   const std::vector<Value>& f = part.values.fields;
   if (part.name == "JSET") {
@@ -147,8 +176,8 @@ bool CutGroup::add(const Part& part, Diagnostics& diagnostics) {
     return check_set(set, diagnostics);
   }
   if (part.name == "TRACES") {
-    cut_.joints.emplace_back(
-        Traces{part.where, f[0].as_word(), f[1].as_int(), f[2].as_exact()});
+    cut_.joints.emplace_back(Traces{part.where, f[0].as_word(), f[1].as_int(),
+                                    f[2].as_exact(), f[3].as_word()});
     return true;
   }
   if (part.name == "VORONOI") {

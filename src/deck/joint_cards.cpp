@@ -76,15 +76,23 @@ std::vector<CardSpec> joint_cards() {
       {.name = "OUTLINE",
        .section = "ours",
        .summary = "a domain to be cut into blocks by the joints that follow",
-       .fields = {{"nc", integer, {}, outline_corners, "[-]", "number of corners"},
-                  {"mat", integer, {}, from_one, "[-]", "material of its blocks"}},
+       .fields = {{"nc", integer, "", outline_corners, "[-]",
+                   "number of corners, whose coordinates follow; blank if a file "
+                   "gives them"},
+                  {"mat", integer, {}, from_one, "[-]", "material of its blocks"},
+                  {"file", word, "", any, "",
+                   "a polygon from GeoJSON or WKT, or a closed line from DXF, "
+                   "recognised by content"},
+                  {"layer", word, "", any, "",
+                   "the layer of the polygon, if the file has several polygons"}},
        .follow_on = {{"x1, x2, ..., xnc", "x of the corners [L], clockwise; over as "
                                           "many lines as needed"},
                      {"y1, y2, ..., ync", "y of the corners [L], starting on a new "
                                           "line"}},
        .notes =
            "Begins a group that ends with CUT. Only JSET, TRACES and VORONOI stand "
-           "between them. A deck may have any number of groups.",
+           "between them. A deck may have any number of groups. Give nc and the "
+           "coordinates, or a file; its name is relative to the folder of the deck.",
        .example = "OUTLINE, 4, 1\n8., 8., 22., 22.\n2., 10., 10., 2."},
       joint_set(),
       {.name = "TRACES",
@@ -96,12 +104,16 @@ std::vector<CardSpec> joint_cards() {
              {},
              any,
              "",
-             "GeoJSON, WKT or CSV with x1, y1, x2, y2, recognised by content"},
+             "GeoJSON, WKT, DXF or CSV with x1, y1, x2, y2, recognised by content"},
             {"id", integer, "0", joint_id, "[-]",
-             "joint id of traces whose file gives none (property or column joint)"},
+             "joint id of traces whose file gives none (property or column joint, "
+             "number in the name of a DXF layer)"},
             {"snap", exact, "0", not_negative, "[L]",
              "a loose end is prolonged to the next joint or to the outline if "
-             "that is at most this far"}},
+             "that is at most this far"},
+            {"layer", word, "", any, "",
+             "only traces of this DXF layer, or with this property layer in GeoJSON; "
+             "all of them then have id"}},
        .notes = "Stands between OUTLINE and CUT. A name is relative to the folder of "
                 "the deck.",
        .example = "TRACES, mapped.geojson, 3, .5"},

@@ -2,6 +2,7 @@
 // results.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,5 +64,27 @@ std::string write_gmsh(const std::vector<BlockRecord>& blocks);
 /// Tests whether elements cannot hold all of the blocks. Then write_gmsh() adds the
 /// section $Blocks (docs/mesh-formats.md), which also says which blocks are fixed.
 bool needs_rings(const std::vector<BlockRecord>& blocks);
+
+/// Returns an ASCII DXF of R12. A block is a closed POLYLINE on the layer of its
+/// material ("2_granite", "material_2"), a side with a joint id a LINE on the layer
+/// "joint_3". unit: of length, as UNITS names it; empty: none is stated.
+std::string write_dxf(const std::vector<BlockRecord>& blocks, const std::string& unit);
+
+/// The scale of a drawing.
+struct SvgScale {
+  double scale = 0.0;      ///< > 0; 1:100 has 100
+  double unit_in_m = 1.0;  ///< [m] the unit of length of the coordinates
+  std::string unit;        ///< its name; empty: not known
+};
+
+/// Returns the largest usual scale (1, 2 or 5 times a power of ten) at which the blocks
+/// fit on a page of A4.
+double default_scale(const std::vector<BlockRecord>& blocks, double unit_in_m);
+
+/// Returns an SVG that is true to scale: its width and height are in mm, its
+/// coordinates those of the blocks, with y reversed. joint_colour: returns "#rrggbb"
+/// for an id.
+std::string write_svg(const std::vector<BlockRecord>& blocks, const SvgScale& scale,
+                      const std::function<std::string(int)>& joint_colour);
 
 }  // namespace blocks::exchange

@@ -70,7 +70,7 @@ std::string name_in_deck(std::string name) {
 
 std::string write_deck_skeleton(const std::vector<Outline>& outlines,
                                 const std::map<long, std::string>& material_names,
-                                const std::string& mesh) {
+                                const BlockSource& source) {
   const Extent extent = extent_of(outlines);
   const Vec2 size = extent.upper - extent.lower;
   const double widest = size.maxCoeff();
@@ -96,8 +96,8 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
   std::string deck = fmt::format(
       "$ Blocks of {}. Units assumed: m, kg, s. Stiffness, materials, friction and\n$ "
       "gravity are examples: replace them by your own.\nSTART, {}, {}\nBLOCKS OF {}\n",
-      one_line(mesh), outlines.size(), extent.most_corners,
-      one_line(mesh).substr(0, 70));
+      one_line(source.title), outlines.size(), extent.most_corners,
+      one_line(source.title).substr(0, 70));
   deck += fmt::format("XLIMITS, {}, {}\nYLIMITS, {}, {}\nBOXES, {}, {}, {}\n",
                       rounded(extent.lower.x() - margin, step, false),
                       rounded(extent.upper.x() + margin, step, true),
@@ -112,8 +112,11 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
       deck += fmt::format(", {0}{1}{0}", quote_of(known->second), known->second);
     deck += '\n';
   }
-  deck += "$ UNITS, m, kg, s       if these are the units of the coordinates\n";
-  deck += fmt::format("RIGID\nEND\nREAD9, '{}'\n", mesh);
+  deck += source.unit == "m" ? "UNITS, m, kg, s\n"
+          : source.unit.empty()
+              ? "$ UNITS, m, kg, s       if these are the units of the coordinates\n"
+              : fmt::format("$ The coordinates are in {}.\n", source.unit);
+  deck += "RIGID\nEND\n" + source.cards;
   for (std::size_t b = 0; b < outlines.size(); ++b)
     if (outlines[b].fixed)
       deck += fmt::format("FIX, {}\n", b + 1);

@@ -14,7 +14,14 @@ namespace blocks::exchange {
 /// "material" before it.
 std::string name_in_deck(std::string name);
 
-/// Returns a deck that reads `mesh` (READ9) and passes `blocks check`. Limits are a
+/// Where the blocks of a deck come from.
+struct BlockSource {
+  std::string title;      ///< "map.dxf"
+  std::string cards;      ///< that make the blocks: "READ9, 'map.mesh.txt'\n"
+  std::string unit = {};  ///< of length, if it is known: "mm"
+};
+
+/// Returns a deck that makes the blocks and passes `blocks check`. Limits are a
 /// tenth wider than the blocks; boxes and tolerance follow from the block size. There
 /// is one MATERIAL for each number in use, with its name in the deck, and FIX for fixed
 /// blocks.
@@ -24,6 +31,6 @@ std::string name_in_deck(std::string name);
 /// material_names: as name_in_deck() returns them.
 std::string write_deck_skeleton(const std::vector<Outline>& outlines,
                                 const std::map<long, std::string>& material_names,
-                                const std::string& mesh);
+                                const BlockSource& source);
 
 }  // namespace blocks::exchange

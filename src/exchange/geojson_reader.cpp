@@ -127,6 +127,10 @@ Properties Reader::read_properties(const Json& node) {
                    "remove the property and give --material N instead");
   }
   read_name(node, properties.data.material);
+  for (const char* key : {"layer", "Layer"})
+    if (const Json* layer = node.find(key))
+      properties.data.layer =
+          layer->kind == Json::Kind::number ? std::string(layer->number) : layer->text;
   if (const Json* fixed = node.find("fixed");
       fixed && fixed->kind != Json::Kind::null) {
     if (fixed->kind == Json::Kind::boolean)

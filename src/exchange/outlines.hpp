@@ -24,7 +24,14 @@ struct Outline {
   std::vector<int> joints;
   long material = 0;  ///< 0 if the file has none
   bool fixed = false;
+  std::string layer;  ///< of a drawing, or the property of a feature; may be empty
   std::size_t at = nowhere;  ///< offset of the polygon in the text
+};
+
+/// Lines of a drawing that are not closed, and so are no outlines.
+struct OpenLines {
+  std::size_t n = 0;
+  std::size_t first = nowhere;  ///< offset of the first one in the text
 };
 
 /// The content of a file. If the messages contain errors, outlines may be missing.
@@ -32,6 +39,8 @@ struct OutlineFile {
   std::string found;  ///< summary: "GeoJSON, 12 polygons"
   std::vector<Outline> outlines;
   std::map<long, std::string> material_names;  ///< of the materials that have one
+  std::string unit;  ///< of length, if a drawing states one: "mm"
+  OpenLines open;
   std::vector<Message> messages;
 };
 

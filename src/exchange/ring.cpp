@@ -65,6 +65,7 @@ void RingReader::add(const std::vector<Position>& ring, RingData data, std::size
   outline.material = data.material;
   outline.fixed = data.fixed;
   outline.joints = std::move(data.joints);
+  outline.layer = std::move(data.layer);
   outline.at = at;
   for (const Position& position : ring) {
     std::array<double, 2> xy{};

@@ -24,6 +24,7 @@ struct RingData {
   bool fixed = false;
   /// Joint ids of the sides of the ring, in its order; empty: none.
   std::vector<int> joints = {};
+  std::string layer = {};
 };
 
 /// Collects the outlines and messages of one text.
@@ -38,6 +39,7 @@ class RingReader {
   /// for other numbers. hint: what to do.
   std::optional<int> joint(const WrittenNumber& number, const std::string& hint);
 
+  void add(Message message) { file_.messages.push_back(std::move(message)); }
   void error(std::size_t at, std::string text, std::string hint = {},
              std::size_t length = 1);
   void warning(std::size_t at, std::string text, std::string hint = {});

@@ -82,7 +82,8 @@ void ShapeCollector::add_point(const Position& position) {
 }
 
 void ShapeCollector::add_line(const std::vector<Position>& positions,
-                              std::optional<int> joint, std::size_t at) {
+                              std::optional<int> joint, std::size_t at,
+                              const std::string& layer) {
   Trace trace;
   trace.joint = joint;
   bool is_complete = true;
@@ -110,6 +111,13 @@ void ShapeCollector::add_line(const std::vector<Position>& positions,
   if (repeated > 0 && repeated_ == 0)
     first_repeated_ = first_repeated;
   repeated_ += repeated;
+  if (!layer.empty()) {
+    const auto [number, is_new] =
+        layer_numbers_.emplace(layer, static_cast<int>(layers_.size()));
+    if (is_new)
+      layers_.push_back(layer);
+    trace.layer = number->second;
+  }
   trace.points.shrink_to_fit();
   traces_.push_back(std::move(trace));
   begins_.push_back(at);
@@ -147,7 +155,8 @@ void ShapeCollector::report_counts() {
           wanted_ == Shapes::lines ? "no polylines in the file"
                                    : "no points in the file",
           wanted_ == Shapes::lines
-              ? "give LineString (GeoJSON), LINESTRING (WKT) or x1, y1, x2, y2 (CSV)"
+              ? "give LineString (GeoJSON), LINESTRING (WKT), x1, y1, x2, y2 (CSV) or "
+                "lines (DXF)"
               : "give Point (GeoJSON), POINT (WKT) or x, y (CSV)");
 }
 
@@ -167,10 +176,17 @@ TraceFile ShapeCollector::finish_traces(const std::string& form) {
   std::size_t segments = 0;
   for (const Trace& trace : traces_)
     segments += trace.points.size() - 1;
+  std::string found =
+      fmt::format("{}, {}, {}", form, counted(traces_.size(), "polyline"),
+                  counted(segments, "segment"));
+  if (!curves_.empty())
+    found += "; " + curves_;
   return {form,
-          fmt::format("{}, {}, {}", form, counted(traces_.size(), "polyline"),
-                      counted(segments, "segment")),
-          std::move(traces_), std::move(messages_)};
+          std::move(found),
+          std::move(traces_),
+          std::move(layers_),
+          std::move(unit_),
+          std::move(messages_)};
 }
 
 PointFile ShapeCollector::finish_points(const std::string& form) {

@@ -2,6 +2,8 @@
 // numbers. Filled by one function per form. Private to src/exchange.
 #pragma once
 
+#include <map>
+
 #include "exchange/ring.hpp"
 #include "exchange/trace_reader.hpp"
 
@@ -16,14 +18,16 @@ class ShapeCollector {
 
   Shapes wanted() const { return wanted_; }
 
-  /// Adds a polyline, or reports why it is none. at: its offset in the text.
+  /// Adds a polyline, or reports why it is none. at: its offset in the text. layer: its
+  /// name; empty: none.
   void add_line(const std::vector<Position>& positions, std::optional<int> joint,
-                std::size_t at);
+                std::size_t at, const std::string& layer = {});
   void add_point(const Position& position);
 
   /// Returns the joint id, or reports an error and returns nothing.
   std::optional<int> joint(const WrittenNumber& number);
 
+  void add(Message message) { messages_.push_back(std::move(message)); }
   void error(std::size_t at, std::string text, std::string hint = {},
              std::size_t length = 1);
   void warning(std::size_t at, std::string text, std::string hint = {});
@@ -31,6 +35,12 @@ class ShapeCollector {
   void refuse(std::size_t at, const std::string& kind);
   /// Registers a position with more than two numbers; all are reported once.
   void saw_height(std::size_t at);
+
+  /// Registers the unit of length of a drawing, and a description of its curves.
+  void note_drawing(std::string unit, std::string curves) {
+    unit_ = std::move(unit);
+    curves_ = std::move(curves);
+  }
 
   TraceFile finish_traces(const std::string& form);
   PointFile finish_points(const std::string& form);
@@ -44,6 +54,9 @@ class ShapeCollector {
   std::vector<Message> messages_;
   std::size_t heights_ = 0, first_height_ = 0;
   std::size_t repeated_ = 0, first_repeated_ = 0;
+  std::vector<std::string> layers_;
+  std::map<std::string, int> layer_numbers_;
+  std::string unit_, curves_;
 
   std::optional<geometry::Decimal> number(const WrittenNumber& number);
   std::optional<geometry::DecimalPoint> point(const Position& position);
@@ -54,6 +67,7 @@ class ShapeCollector {
 /// Each reads the text from offset `begin` into the collector.
 void collect_geojson(std::string_view text, ShapeCollector& shapes);
 void collect_wkt(std::string_view text, std::size_t begin, ShapeCollector& shapes);
+void collect_dxf(std::string_view text, ShapeCollector& shapes);
 void collect_csv(std::string_view text, std::size_t begin, ShapeCollector& shapes);
 
 }  // namespace blocks::exchange

@@ -38,14 +38,21 @@ class GeoJsonShapes {
                                                                          : none;
   }
 
-  void object(const Json& node, std::optional<int> joint);
+  /// What a feature says about its lines.
+  struct Data {
+    std::optional<int> joint;
+    std::string layer;
+  };
+
+  void object(const Json& node, const Data& data);
   void feature(const Json& node);
-  void line(const Json& node, std::optional<int> joint);
+  Data properties(const Json& node);
+  void line(const Json& node, const Data& data);
   void point(const Json& node);
   std::optional<Position> position(const Json& node);
 };
 
-void GeoJsonShapes::object(const Json& node, std::optional<int> joint) {
+void GeoJsonShapes::object(const Json& node, const Data& data) {
   const Json* type = node.find("type");
   if (!type) {
     shapes_.error(node.at, "\"type\" is missing");
@@ -54,7 +61,7 @@ void GeoJsonShapes::object(const Json& node, std::optional<int> joint) {
   if (!expect(*type, Json::Kind::string, "\"type\""))
     return;
   const bool lines = shapes_.wanted() == Shapes::lines;
-  const auto objects = [&](const char* key, std::optional<int> with) {
+  const auto objects = [&](const char* key, const Data& with) {
     for (const Json& item : items(node, key))
       if (expect(item, Json::Kind::object, type->text))
         object(item, with);
@@ -64,10 +71,10 @@ void GeoJsonShapes::object(const Json& node, std::optional<int> joint) {
   } else if (type->text == "Feature") {
     feature(node);
   } else if (type->text == "GeometryCollection") {
-    objects("geometries", joint);
+    objects("geometries", data);
   } else if (lines && type->text == "MultiLineString") {
     for (const Json& item : items(node, "coordinates"))
-      line(item, joint);
+      line(item, data);
   } else if (!lines && type->text == "MultiPoint") {
     for (const Json& item : items(node, "coordinates"))
       point(item);
@@ -76,26 +83,37 @@ void GeoJsonShapes::object(const Json& node, std::optional<int> joint) {
   } else if (const Json* found = node.find("coordinates"); !found) {
     shapes_.error(node.at, "\"coordinates\" is missing");
   } else if (lines) {
-    line(*found, joint);
+    line(*found, data);
   } else {
     point(*found);
   }
 }
 
+GeoJsonShapes::Data GeoJsonShapes::properties(const Json& node) {
+  Data data;
+  const Json* given = node.find("properties");
+  if (!given || given->kind == Json::Kind::null ||
+      !expect(*given, Json::Kind::object, "\"properties\"") ||
+      shapes_.wanted() != Shapes::lines)
+    return data;
+  if (const Json* id = given->find("joint");
+      id && id->kind != Json::Kind::null &&
+      expect(*id, Json::Kind::number, "\"joint\""))
+    data.joint = shapes_.joint({id->number, id->at});
+  for (const char* key : {"layer", "Layer"})
+    if (const Json* layer = given->find(key))
+      data.layer =
+          layer->kind == Json::Kind::number ? std::string(layer->number) : layer->text;
+  return data;
+}
+
 void GeoJsonShapes::feature(const Json& node) {
-  std::optional<int> joint;
-  if (const Json* given = node.find("properties");
-      given && given->kind != Json::Kind::null &&
-      expect(*given, Json::Kind::object, "\"properties\""))
-    if (const Json* id = given->find("joint");
-        shapes_.wanted() == Shapes::lines && id && id->kind != Json::Kind::null &&
-        expect(*id, Json::Kind::number, "\"joint\""))
-      joint = shapes_.joint({id->number, id->at});
+  const Data data = properties(node);
   const Json* geometry = node.find("geometry");
   if (!geometry || geometry->kind == Json::Kind::null)
     shapes_.warning(node.at, "a feature without geometry is skipped");
   else if (expect(*geometry, Json::Kind::object, "\"geometry\""))
-    object(*geometry, joint);
+    object(*geometry, data);
 }
 
 std::optional<Position> GeoJsonShapes::position(const Json& node) {
@@ -114,7 +132,7 @@ std::optional<Position> GeoJsonShapes::position(const Json& node) {
   return Position{WrittenNumber{x.number, x.at}, WrittenNumber{y.number, y.at}};
 }
 
-void GeoJsonShapes::line(const Json& node, std::optional<int> joint) {
+void GeoJsonShapes::line(const Json& node, const Data& data) {
   if (!expect(node, Json::Kind::array, "line"))
     return;
   if (node.items.empty()) {
@@ -128,7 +146,7 @@ void GeoJsonShapes::line(const Json& node, std::optional<int> joint) {
       return;
     positions.push_back(*found);
   }
-  shapes_.add_line(positions, joint, node.at);
+  shapes_.add_line(positions, data.joint, node.at, data.layer);
 }
 
 void GeoJsonShapes::point(const Json& node) {

@@ -1,7 +1,7 @@
 #include "exchange/trace_reader.hpp"
 
+#include "exchange/forms.hpp"
 #include "exchange/shape_collector.hpp"
-#include "exchange/wkt_reader.hpp"
 
 namespace blocks::exchange {
 namespace {
@@ -9,17 +9,16 @@ namespace {
 /// Fills the collector and returns the name of the form.
 std::string collect(std::string_view text, ShapeCollector& shapes) {
   const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  const std::size_t first = text.find_first_not_of(" \t\r\n", begin);
-  if (first != text.npos && (text[first] == '{' || text[first] == '[')) {
+  const auto form = recognise(text);
+  if (!form)
+    collect_csv(text, begin, shapes);
+  else if (*form == Form::geojson)
     collect_geojson(text, shapes);
-    return "GeoJSON";
-  }
-  if (looks_like_wkt(text.substr(begin))) {
+  else if (*form == Form::wkt)
     collect_wkt(text, begin, shapes);
-    return "WKT";
-  }
-  collect_csv(text, begin, shapes);
-  return "CSV";
+  else
+    collect_dxf(text, shapes);
+  return form ? name_of(*form) : "CSV";
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "output/checkpoint.hpp"
 #include "output/file_tools.hpp"
 #include "run/deck_file.hpp"
+#include "run/joint_files.hpp"
 
 namespace blocks {
 namespace {
@@ -40,7 +41,9 @@ Simulation Simulation::from_file(const std::string& path, int threads,
 void Simulation::cards(const std::string& text) {
   state_->must_be_sound();
   deck::Diagnostics said("cards", text);
-  state_->execute(deck::parse_further("cards", text, said), said);
+  deck::Deck further = deck::parse_further("cards", text, said);
+  run::read_outline_files(further, state_->folder, said);
+  state_->execute(further, said);
 }
 
 const std::vector<std::string>& Simulation::warnings() const {

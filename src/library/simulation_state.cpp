@@ -16,6 +16,7 @@
 #include "run/builder.hpp"
 #include "run/convergence.hpp"
 #include "run/deck_file.hpp"
+#include "run/joint_files.hpp"
 #include "run/executor.hpp"
 #include "run/safety_report.hpp"
 #include "run/safety_search.hpp"
@@ -58,6 +59,7 @@ Simulation::State::State(std::string deck_name, std::string deck_folder,
   dynamics::kernels();
   deck::Diagnostics said(name, text);
   deck::Deck parsed = deck::parse(name, text, said);
+  run::read_outline_files(parsed, folder, said);
   if (motions == Motions::left_out)
     parsed.commands.erase(
         std::find_if(parsed.commands.begin(), parsed.commands.end(), deck::passes_time),

@@ -1,5 +1,7 @@
 #include "post/colour_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -170,6 +172,14 @@ Colour rim_of_line(const Colour& line) {
   constexpr Colour dark{0.16, 0.16, 0.18}, light{1, 1, 1};
   constexpr double pale = 0.2;
   return luminance(line) > pale ? dark : light;
+}
+
+std::string css(const Colour& colour) {
+  const auto byte = [](double part) {
+    return std::lround(255.0 * std::clamp(part, 0.0, 1.0));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g),
+                     byte(colour.b));
 }
 
 Colour mix(const Colour& a, const Colour& b, double share) {

@@ -10,6 +10,9 @@ struct Colour {
   double r = 0, g = 0, b = 0;  ///< 0 to 1
 };
 
+/// Returns the colour as "#rrggbb".
+std::string css(const Colour& colour);
+
 /// Returns a muted colour, safe for colour-blind readers; repeats after forty
 /// materials.
 Colour material_colour(int material);

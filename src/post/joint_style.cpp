@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "post/pen.hpp"
+
 namespace blocks::post {
 namespace {
 

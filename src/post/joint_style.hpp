@@ -7,10 +7,11 @@
 #include <string>
 
 #include "post/colour_map.hpp"
-#include "post/pen.hpp"
 #include "post/results_reader.hpp"
 
 namespace blocks::post {
+
+class Pen;
 
 /// Number of joint ids that a legend lists.
 constexpr std::size_t most_joints_listed = 16;

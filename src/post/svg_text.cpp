@@ -33,11 +33,6 @@ std::string escaped(const std::string& words) {
   return text;
 }
 
-std::string css(const Colour& c) {
-  const auto byte = [](double part) { return std::lround(255.0 * part); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
-}
-
 }  // namespace
 
 SvgText::SvgText(cairo_surface_t* surface) : surface_(surface) {

@@ -139,13 +139,6 @@ class Packer {
     }
   }
 
-  static std::string css(const Colour& c) {
-    const auto byte = [](double part) {
-      return static_cast<int>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
-    };
-    return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
-  }
-
   /// Returns evenly spaced colours of a map. Their number is odd, so that the one in
   /// the middle of a diverging map is that of zero.
   static Json colours_of(const ColourMap& map) {

@@ -181,7 +181,7 @@ struct Builder::Visitor {
   void operator()(const deck::Layer& card) { builder().layer(card); }
   void operator()(const deck::Cut& card) {
     self.last_outline_ = outline_of_cut(card);
-    CutOptions options{settings.seed, self.options_.folder};
+    CutOptions options{settings.seed, self.options_.folder, settings.units.length};
     if (settings.max_blocks > 0)
       options.most_blocks = settings.max_blocks - blocks.size();
     if (self.options_.cut_progress)

@@ -52,6 +52,7 @@ class Generator {
       : card_(card), around_(around), diagnostics_(diagnostics) {}
 
   std::optional<CutJoints> joints() {
+    warn_of_unit(card_.outline.file, "OUTLINE", card_.outline.file_unit);
     for (const auto& source : card_.joints)
       std::visit([this](const auto& one) { prepare(one); }, source);
     check_room();
@@ -166,13 +167,24 @@ class Generator {
     cells_.emplace(&card, std::move(request));
   }
   void prepare(const deck::Traces& card) {
-    auto file = traces_of({"TRACES", card.file, around_.folder}, diagnostics_);
+    auto file = traces_of(card, around_.folder, diagnostics_);
     if (!file)
       return fail();
+    warn_of_unit(card.file, "TRACES", file->unit);
     note("TRACES", card.file, file->found);
     for (const exchange::Trace& trace : file->traces)
       expected_ += static_cast<double>(trace.points.size());
     traces_.emplace(&card, std::move(file->traces));
+  }
+
+  /// Warns if a drawing is in another unit of length than the deck.
+  void warn_of_unit(const deck::Word& file, const char* card, const std::string& unit) {
+    if (!unit.empty() && !around_.unit.empty() && unit != around_.unit)
+      diagnostics_.warning(
+          file.where, card,
+          fmt::format("the drawing is in {} ($INSUNITS), the deck in {} (UNITS)", unit,
+                      around_.unit),
+          "coordinates are taken as they are: scale the drawing, or correct its unit");
   }
 
   void generate(const deck::Jset& card) {

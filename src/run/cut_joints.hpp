@@ -17,6 +17,7 @@ namespace blocks::run {
 struct CutSurroundings {
   std::uint64_t seed = 0;
   std::string folder;  ///< of the deck; names of files are relative to it
+  std::string unit;    ///< of length by UNITS; empty: not known
   /// [L] corners of the outline, clockwise.
   std::vector<geometry::DecimalPoint> outline;
   double most_blocks = 0.0;  ///< as many blocks may still be made

@@ -30,8 +30,8 @@ class DomainCutter {
       return {};
     std::optional<CutJoints> joints =
         cut_joints(card_,
-                   {options.seed, options.folder, request.outline, options.most_blocks,
-                    options.progress},
+                   {options.seed, options.folder, options.unit, request.outline,
+                    options.most_blocks, options.progress},
                    diagnostics_);
     if (!joints)
       return {};

@@ -69,6 +69,9 @@ std::string file_sums(const deck::Deck& deck, const std::string& folder,
     if (const auto* card = std::get_if<deck::Read9>(&command.card))
       add("READ9", command.where, "a mesh", mesh_path(*card, folder, tape9));
     const auto* cut = std::get_if<deck::Cut>(&command.card);
+    if (cut != nullptr && cut->outline.file.given)
+      add("OUTLINE", cut->outline.where, "an outline",
+          beside(folder, cut->outline.file.value));
     for (std::size_t i = 0; cut != nullptr && i < cut->joints.size(); ++i) {
       if (const auto* traces = std::get_if<deck::Traces>(&cut->joints[i]))
         add("TRACES", traces->where, "traces", beside(folder, traces->file.value));
@@ -81,7 +84,7 @@ std::string file_sums(const deck::Deck& deck, const std::string& folder,
 }
 
 bool holds_file_sums(std::string_view text) {
-  for (const char* card : {"READ9 ", "TRACES ", "VORONOI "})
+  for (const char* card : {"READ9 ", "OUTLINE ", "TRACES ", "VORONOI "})
     if (text.starts_with(card))
       return true;
   return false;

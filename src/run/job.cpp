@@ -11,6 +11,7 @@
 #include "run/cut_progress.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
+#include "run/joint_files.hpp"
 #include "run/saved_state.hpp"
 
 namespace blocks::run {
@@ -26,9 +27,11 @@ Job::Job(const RunOptions& given)
     : options(given), text(given.text ? *given.text : read_deck(given.deck)),
       diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
       deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
-      end(deck.commands.size()), files(file_sums(deck, folder_of(given), given.tape9)),
+      files(file_sums(deck, folder_of(given), given.tape9)),
       name(output_name(given.deck, given.output)) {
+  read_outline_files(deck, folder_of(given), diagnostics);
   auto& commands = deck.commands;
+  end = commands.size();
   if (!commands.empty() && std::holds_alternative<deck::Stop>(commands.back().card))
     --end;
   if (!options.last_card.empty())
@@ -202,7 +205,7 @@ Model Job::load() {
   const std::string sets = overrides();
   if (from.overrides != sets + files && from.overrides.starts_with(sets) &&
       holds_file_sums(from.overrides.substr(sets.size())))
-    refuse("a file that READ9, TRACES or VORONOI reads has changed");
+    refuse("a file that READ9, OUTLINE, TRACES or VORONOI reads has changed");
   if (from.overrides != sets + files)
     refuse(from.overrides.empty()
                ? "it was written without --set options"

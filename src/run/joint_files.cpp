@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <variant>
 
+#include "exchange/forms.hpp"
+#include "geometry/polygon.hpp"
 #include "output/file_tools.hpp"
 #include "run/deck_file.hpp"
 
@@ -55,6 +59,13 @@ std::optional<std::string> read(const FileOnCard& named,
   }
 }
 
+/// Whether another card that names the same file has had this warning.
+bool has_told(const std::string& message, const deck::Diagnostics& diagnostics) {
+  return std::any_of(
+      diagnostics.all().begin(), diagnostics.all().end(),
+      [&](const deck::Diagnostic& one) { return one.message == message; });
+}
+
 /// Reports the first messages of each kind.
 void tell(const std::vector<exchange::Message>& messages, const std::string& text,
           const FileOnCard& named, deck::Diagnostics& diagnostics) {
@@ -63,7 +74,7 @@ void tell(const std::vector<exchange::Message>& messages, const std::string& tex
     const auto say = [&](const std::string& message, const std::string& hint) {
       if (errors)
         diagnostics.error(named.file.where, named.card, message, hint);
-      else
+      else if (!has_told(message, diagnostics))
         diagnostics.warning(named.file.where, named.card, message, hint);
     };
     std::size_t count = 0;
@@ -90,11 +101,131 @@ std::optional<File> read_with(File (*reader)(std::string_view), const FileOnCard
                                              : std::optional(std::move(file));
 }
 
+/// Removes the traces of other layers than that of the card, and gives the others the
+/// id of the card. Returns false after an error.
+bool keep_layer(const deck::Traces& card, exchange::TraceFile& file,
+                deck::Diagnostics& diagnostics) {
+  if (!card.layer.given)
+    return true;
+  const auto layer =
+      std::find(file.layers.begin(), file.layers.end(), card.layer.value);
+  if (layer == file.layers.end()) {
+    diagnostics.error(card.layer.where, "TRACES",
+                      fmt::format("{}: no trace has the layer '{}'", card.file.value,
+                                  card.layer.value),
+                      file.layers.empty()
+                          ? std::string("the traces of this file have no layers")
+                          : fmt::format("traces are on these layers: {}",
+                                        fmt::join(file.layers, ", ")));
+    return false;
+  }
+  const auto number = static_cast<int>(layer - file.layers.begin());
+  const std::size_t all = file.traces.size();
+  std::erase_if(file.traces, [number](const exchange::Trace& trace) {
+    return trace.layer != number;
+  });
+  for (exchange::Trace& trace : file.traces)
+    trace.joint.reset();
+  file.found = fmt::format("{}, layer {}: {} of {} polylines", file.form,
+                           card.layer.value, file.traces.size(), all);
+  return true;
+}
+
+exchange::OutlineFile read_polygons(std::string_view text) {
+  if (const auto form = exchange::recognise(text))
+    return exchange::read_outlines(*form, text);
+  exchange::OutlineFile file;
+  file.messages.push_back({true, 0, "the file is not GeoJSON, WKT or DXF",
+                           "give a polygon in one of these forms, or nc and the "
+                           "coordinates in the deck"});
+  return file;
+}
+
+/// Returns the only polygon of the layer, or of the file if no layer is given.
+std::optional<exchange::Outline> only_polygon(const exchange::OutlineFile& file,
+                                              const deck::Outline& card,
+                                              deck::Diagnostics& diagnostics) {
+  std::vector<const exchange::Outline*> found;
+  std::set<std::string> layers;
+  for (const exchange::Outline& one : file.outlines) {
+    if (!card.layer.given || one.layer == card.layer.value)
+      found.push_back(&one);
+    if (!one.layer.empty())
+      layers.insert(one.layer);
+  }
+  if (found.size() == 1)
+    return *found.front();
+  const std::string of_layers =
+      layers.empty()
+          ? "its polygons have no layers"
+          : fmt::format("polygons are on these layers: {}", fmt::join(layers, ", "));
+  if (found.empty())
+    diagnostics.error(card.layer.where, "OUTLINE",
+                      fmt::format("{}: no polygon has the layer '{}'", card.file.value,
+                                  card.layer.value),
+                      of_layers);
+  else
+    diagnostics.error(card.file.where, "OUTLINE",
+                      fmt::format("{}: {} polygons, and an outline is one",
+                                  card.file.value, found.size()),
+                      card.layer.given ? "keep one polygon on this layer"
+                                       : "give the layer; " + of_layers);
+  return {};
+}
+
+bool read_outline(deck::Outline& card, const std::string& folder,
+                  deck::Diagnostics& diagnostics) {
+  const auto file =
+      read_with(read_polygons, {"OUTLINE", card.file, folder}, diagnostics);
+  if (!file)
+    return false;
+  auto outline = only_polygon(*file, card, diagnostics);
+  if (!outline)
+    return false;
+  if (geometry::check_outline(outline->corners).anticlockwise)
+    exchange::reverse(*outline);
+  card.file_unit = file->unit;
+  for (const exchange::WrittenCorner& corner : outline->written)
+    for (const int axis : {0, 1}) {
+      std::string_view digits = corner[static_cast<std::size_t>(axis)];
+      const auto value = geometry::Decimal::parse(digits);
+      if (!value) {
+        diagnostics.error(card.file.where, "OUTLINE",
+                          fmt::format("{}: {} is outside the range of numbers",
+                                      card.file.value, digits.substr(0, 40)),
+                          "choose another unit of length");
+        return false;
+      }
+      (axis == 0 ? card.x : card.y).push_back({*value, card.file.where, true});
+    }
+  return true;
+}
+
 }  // namespace
 
-std::optional<exchange::TraceFile> traces_of(const FileOnCard& named,
+void read_outline_files(deck::Deck& deck, const std::string& folder,
+                        deck::Diagnostics& diagnostics) {
+  std::erase_if(deck.commands, [&](deck::Command& command) {
+    auto* cut = std::get_if<deck::Cut>(&command.card);
+    if (cut == nullptr || !cut->outline.file.given ||
+        read_outline(cut->outline, folder, diagnostics))
+      return false;
+    deck.unread.push_back({command.where, command.name, std::nullopt,
+                           deck::UnreadCard::any_number_of_blocks});
+    return true;
+  });
+  std::stable_sort(deck.unread.begin(), deck.unread.end(),
+                   [](const deck::UnreadCard& a, const deck::UnreadCard& b) {
+                     return a.where.line < b.where.line;
+                   });
+}
+
+std::optional<exchange::TraceFile> traces_of(const deck::Traces& card,
+                                             const std::string& folder,
                                              deck::Diagnostics& diagnostics) {
-  return read_with(exchange::read_traces, named, diagnostics);
+  auto file =
+      read_with(exchange::read_traces, {"TRACES", card.file, folder}, diagnostics);
+  return file && keep_layer(card, *file, diagnostics) ? std::move(file) : std::nullopt;
 }
 
 std::optional<exchange::PointFile> points_of(const FileOnCard& named,

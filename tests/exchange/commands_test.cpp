@@ -273,7 +273,7 @@ TEST(Export, SaysWhatTheFormatLeavesOut) {
 TEST(Export, RefusesUnknownFormatsMissingFilesAndTimesOfADeck) {
   const TemporaryFolder folder;
   const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
-  EXPECT_EQ(blocks("export " + deck + " -o a.dxf", folder.path()).code, 2);
+  EXPECT_EQ(blocks("export " + deck + " -o a.dwg", folder.path()).code, 2);
   EXPECT_EQ(blocks("export " + deck + " -t 1", folder.path()).code, 2);
   EXPECT_EQ(blocks("export no.deck", folder.path()).code, 5);
 }

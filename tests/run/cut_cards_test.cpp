@@ -378,8 +378,9 @@ TEST_F(CutCards, TracesAreReadCutAndComparedByARestart) {
   folder_.write("traces.csv", "-5,1,4,1\n0,-5,0,5\n");
   const Outcome again = blocks("run a.deck -q --restart a.ckpt.h5", folder_.path());
   EXPECT_EQ(again.code, 5);
-  EXPECT_THAT(again.err, HasSubstr("a file that READ9, TRACES or VORONOI reads has "
-                                   "changed"));
+  EXPECT_THAT(again.err,
+              HasSubstr("a file that READ9, OUTLINE, TRACES or VORONOI reads has "
+                        "changed"));
 }
 
 TEST_F(CutCards, FaultyTracesAreReportedWithTheirPlaces) {

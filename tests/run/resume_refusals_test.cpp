@@ -140,8 +140,9 @@ TEST(Resumed, WithAnotherMeshIsRefused) {
   const Outcome refused =
       blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path());
   EXPECT_EQ(refused.code, 5);
-  EXPECT_THAT(refused.err,
-              HasSubstr("a file that READ9, TRACES or VORONOI reads has changed"));
+  EXPECT_THAT(
+      refused.err,
+      HasSubstr("a file that READ9, OUTLINE, TRACES or VORONOI reads has changed"));
   mesh("6");
   EXPECT_EQ(blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path()).code, 0);
 }

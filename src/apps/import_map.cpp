@@ -1,0 +1,290 @@
+#include "import_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "exchange/deck_skeleton.hpp"
+#include "exchange/dxf_reader.hpp"
+#include "exchange/trace_reader.hpp"
+#include "output/check_outputs.hpp"
+#include "run/deck_file.hpp"
+#include "run/run.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using exchange::Trace;
+using exchange::TraceFile;
+
+/// What the lines of a layer are.
+enum class Role { joints, outline, skipped };
+struct Layer {
+  std::string name;
+  std::size_t lines = 0, closed = 0;
+  Role role = Role::joints;
+  int joint = 0;  ///< id; 0: not chosen yet
+};
+
+struct Refusal {
+  std::string message, hint;
+};
+
+bool is_closed(const Trace& trace) {
+  const auto& first = trace.points.front();
+  const auto& last = trace.points.back();
+  return trace.points.size() > 3 && first.x.value() == last.x.value() &&
+         first.y.value() == last.y.value();
+}
+
+std::vector<Layer> layers_of(const TraceFile& file) {
+  std::vector<Layer> layers;
+  for (const std::string& name : file.layers)
+    layers.push_back({name});
+  for (const Trace& trace : file.traces)
+    if (trace.layer >= 0) {
+      Layer& layer = layers[static_cast<std::size_t>(trace.layer)];
+      ++layer.lines;
+      layer.closed += is_closed(trace) ? 1 : 0;
+    }
+  return layers;
+}
+
+std::string list_of(const std::vector<Layer>& layers) {
+  std::vector<std::string> texts;
+  for (const Layer& layer : layers)
+    texts.push_back(fmt::format(
+        "{} ({} line{}{})", layer.name, layer.lines, layer.lines == 1 ? "" : "s",
+        layer.closed > 0 ? fmt::format(", {} closed", layer.closed) : ""));
+  return texts.empty() ? "the map has no layers"
+                       : fmt::format("layers: {}", fmt::join(texts, ", "));
+}
+
+/// Applies --layer NAME=ID, NAME=outline and NAME=skip.
+void give_roles(const std::vector<std::string>& given, std::vector<Layer>& layers) {
+  for (const std::string& text : given) {
+    const std::size_t equals = text.rfind('=');
+    const std::string name = text.substr(0, equals);
+    const std::string role = equals == text.npos ? "" : text.substr(equals + 1);
+    const auto layer =
+        std::find_if(layers.begin(), layers.end(),
+                     [&name](const Layer& one) { return one.name == name; });
+    if (layer == layers.end())
+      throw Refusal{fmt::format("--layer {}: no line has the layer '{}'", text, name),
+                    list_of(layers)};
+    const char* end = role.data() + role.size();
+    const auto [rest, fault] = std::from_chars(role.data(), end, layer->joint);
+    if (role == "outline")
+      layer->role = Role::outline;
+    else if (role == "skip")
+      layer->role = Role::skipped;
+    else if (fault != std::errc() || rest != end || layer->joint < 1)
+      throw Refusal{
+          fmt::format("--layer {}: expected NAME=ID, NAME=outline or NAME=skip", text),
+          "a joint id is a whole number from 1"};
+  }
+}
+
+/// Returns the layer of the outline: the one that --layer names, or that of the only
+/// closed line of the map. Nothing: the map has no closed line.
+std::optional<std::string> outline_layer(std::vector<Layer>& layers) {
+  std::vector<Layer*> named, closed;
+  for (Layer& layer : layers) {
+    if (layer.role == Role::outline)
+      named.push_back(&layer);
+    if (layer.role == Role::joints && layer.closed > 0)
+      closed.push_back(&layer);
+  }
+  if (named.size() > 1)
+    throw Refusal{"--layer names two outlines", "a deck of one map has one outline"};
+  if (named.size() == 1)
+    return named.front()->name;
+  if (closed.empty())
+    return {};
+  if (closed.size() > 1 || closed.front()->closed > 1)
+    throw Refusal{"several closed lines may be the outline",
+                  "give --layer NAME=outline, or --outline FILE; " + list_of(layers)};
+  if (closed.front()->lines == 1)
+    closed.front()->role = Role::outline;
+  return closed.front()->name;
+}
+
+/// Gives each layer of joints without an id the number in its name, or the smallest
+/// that is left.
+void number(std::vector<Layer>& layers) {
+  std::set<int> used;
+  for (Layer& layer : layers)
+    if (layer.role == Role::joints) {
+      if (layer.joint == 0)
+        layer.joint = exchange::parse_layer(layer.name).number.value_or(0);
+      used.insert(layer.joint);
+    }
+  int next = 1;
+  for (Layer& layer : layers)
+    if (layer.role == Role::joints && layer.joint == 0) {
+      while (!used.insert(next).second)
+        ++next;
+      layer.joint = next;
+    }
+}
+
+std::string quoted(const std::string& word) {
+  const char quote = word.find('\'') == word.npos ? '\'' : '"';
+  return quote + word + quote;
+}
+
+/// The box around the traces as the lines of an OUTLINE card.
+std::string box_card(const TraceFile& file) {
+  double left = HUGE_VAL, low = HUGE_VAL, right = -HUGE_VAL, high = -HUGE_VAL;
+  for (const Trace& trace : file.traces)
+    for (const geometry::DecimalPoint& point : trace.points) {
+      left = std::min(left, point.x.value());
+      right = std::max(right, point.x.value());
+      low = std::min(low, point.y.value());
+      high = std::max(high, point.y.value());
+    }
+  return fmt::format("OUTLINE, 4, 1            $ the box around the traces\n"
+                     "{0}, {0}, {1}, {1}\n{2}, {3}, {3}, {2}\n",
+                     left, right, low, high);
+}
+
+/// The cards OUTLINE to CUT. map, outline: paths as the deck names them.
+std::string cards_of(const TraceFile& file, const std::vector<Layer>& layers,
+                     const std::optional<std::string>& outline_layer,
+                     const std::string& map, const std::string& outline) {
+  std::string cards =
+      !outline.empty() ? fmt::format("OUTLINE, , 1, {}\n", quoted(outline))
+      : outline_layer
+          ? fmt::format("OUTLINE, , 1, {}{}\n", quoted(map),
+                        outline_layer->empty() ? std::string()
+                                               : ", " + quoted(*outline_layer))
+          : box_card(file);
+  if (layers.empty())
+    cards += fmt::format("TRACES, {}, 1\n", quoted(map));
+  for (const Layer& layer : layers)
+    if (layer.role == Role::joints)
+      cards += fmt::format("TRACES, {}, {}, , {}\n", quoted(map), layer.joint,
+                           quoted(layer.name));
+  return cards + "CUT\n";
+}
+
+/// Cuts, and returns the blocks.
+std::optional<std::vector<exchange::Outline>> blocks_of(const std::string& name,
+                                                        const std::string& cards) {
+  run::RunOptions options;
+  options.deck = name;
+  options.text = "START, 1000000, 32767\nMAP\nXLIMITS, -1.E30, 1.E30\nYLIMITS, -1.E30, "
+                 "1.E30\nBOXES, 1, 1, 1.\nSTIFF, 1., 1.\nMATERIAL, 1, 1., 1., "
+                 "1.\nRIGID\nEND\n" +
+                 cards + "STOP\n";
+  options.tell = [](const deck::Diagnostics& said) {
+    for (const deck::Diagnostic& one : said.all())
+      if (one.severity == deck::Severity::error)
+        fmt::print(stderr, "blocks: error: {}: {}\n  hint: {}\n", one.card, one.message,
+                   one.hint);
+  };
+  const run::CheckedDeck checked = run::build_checked(options);
+  if (checked.code != run::done)
+    return {};
+  std::vector<exchange::Outline> outlines;
+  for (int b = 0; b < checked.model.blocks.size(); ++b) {
+    exchange::Outline outline;
+    outline.corners = checked.model.blocks.outline(b);
+    outline.material = 1;
+    outlines.push_back(std::move(outline));
+  }
+  return outlines;
+}
+
+std::string path_from(const fs::path& folder, const std::string& file) {
+  return fs::proximate(file, folder.empty() ? fs::path(".") : folder).generic_string();
+}
+
+int refuse(run::ExitCode code, const std::string& message, const std::string& hint) {
+  fmt::print(stderr, "blocks: error: {}\n{}", message,
+             hint.empty() ? "" : "  hint: " + hint + "\n");
+  return code;
+}
+
+}  // namespace
+
+int import_map(ImportOptions options) {
+  if (options.file == "-")
+    return refuse(run::usage_error,
+                  "--map needs the name of a file, which the deck names", "");
+  if (options.output.empty())
+    options.output = fs::path(options.file).stem().string() + ".deck";
+  if (same_file(options.file, options.output))
+    return refuse(run::usage_error, options.file + " would be overwritten",
+                  "choose another -o NAME");
+  if (!options.report_only)
+    output::check_outputs({options.output});
+  const std::string text = run::read_deck(options.file);
+  const TraceFile file = exchange::read_traces(text);
+  fmt::print(stderr, "{}",
+             exchange::format(file.messages, options.file, file.form, text));
+  if (exchange::has_errors(file.messages))
+    return run::deck_error;
+
+  std::vector<Layer> layers = layers_of(file);
+  std::optional<std::string> of_outline;
+  try {
+    give_roles(options.layers, layers);
+    if (options.outline.empty())
+      of_outline = outline_layer(layers);
+    number(layers);
+  } catch (const Refusal& refusal) {
+    return refuse(run::usage_error, refusal.message, refusal.hint);
+  }
+  const bool is_drawing = file.form == "DXF";
+  if (!is_drawing)  // its lines cannot be polygons
+    of_outline.reset();
+  if (!options.quiet)
+    fmt::print("{}: {}\n", options.file, file.found);
+
+  const std::string here =
+      cards_of(file, layers, of_outline, options.file, options.outline);
+  const auto blocks = blocks_of(options.file, here);
+  if (!blocks)
+    return run::deck_error;
+  if (!options.quiet) {
+    for (const Layer& layer : layers)
+      fmt::print("layer {}: {}\n", layer.name,
+                 layer.role == Role::outline ? "the outline"
+                 : layer.role == Role::skipped
+                     ? "skipped"
+                     : fmt::format("joint {}, {} line{}", layer.joint, layer.lines,
+                                   layer.lines == 1 ? "" : "s"));
+    if (options.outline.empty() && !of_outline)
+      fmt::print("no closed line: the outline is the box around the traces\n");
+    fmt::print("{} block{}, certified\n", blocks->size(),
+               blocks->size() == 1 ? "" : "s");
+  }
+  if (options.report_only)
+    return run::done;
+  const fs::path folder = fs::path(options.output).parent_path();
+  const std::string cards =
+      cards_of(file, layers, of_outline, path_from(folder, options.file),
+               options.outline.empty() ? "" : path_from(folder, options.outline));
+  try {
+    write_text_file(options.output, exchange::write_deck_skeleton(
+                                        *blocks, {},
+                                        {fs::path(options.file).filename().string(),
+                                         cards, file.unit}));
+  } catch (const std::range_error& fault) {
+    return refuse(run::deck_error,
+                  fmt::format("{}: {}; nothing written", options.file, fault.what()),
+                  "choose another unit of length");
+  }
+  if (!options.quiet)
+    fmt::print("written: {}\n", options.output);
+  return run::done;
+}
+
+}  // namespace blocks::apps
