@@ -101,13 +101,17 @@ std::vector<JointSegment> ended_at(const std::vector<JointSegment>& traces,
 struct Prolongation {
   std::vector<JointSegment> traces;  ///< in the given order
   std::size_t ends = 0;              ///< number of ends that were prolonged
+  std::size_t loose = 0;             ///< number of ends that dangled, prolonged or not
   double largest = 0.0;              ///< [L] largest prolongation
+  Vec2 place = Vec2::Zero();         ///< [L] the end with the largest one, as given
 };
 
 /// Prolongs dangling ends of traces to the first other joint or side of the outline, if
 /// it is at most `snap` [L] away along the trace. An end dangles if it is inside the
-/// outline and on no other joint. All ends are tested against the joints as given, so
-/// the order of the traces has no effect. others: joints that are not prolonged.
+/// outline and on no other joint. Two ends that dangle still are prolonged to the point
+/// where their prolongations meet, if it is as near to both and the first such point
+/// for both. All ends are tested against the joints as given, so the order of the
+/// traces has no effect. others: joints that are not prolonged.
 Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& snap,
                        const std::vector<JointSegment>& others,
                        const std::vector<DecimalPoint>& outline,

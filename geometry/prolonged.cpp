@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "geometry/exact/box_pairs.hpp"
 #include "geometry/exact/line.hpp"
@@ -28,6 +30,11 @@ struct End {
   Vector direction;  ///< the trace, so parameter 1 prolongs it by its own length
   bool dangles = true;
   std::optional<Rational> hit;  ///< least parameter > 0
+
+  Point target() const { return place + direction * *hit; }
+  bool reaches(const Rational& s, const Rational& reach) const {
+    return s * s * direction.squared_length() <= reach * reach;
+  }
 };
 
 exact::Box box_of(const Point& p, const Point& q, std::size_t number) {
@@ -64,6 +71,45 @@ void meet(const Piece& piece, End& end) {
   const Rational square = end.direction.squared_length();
   record(to_piece * end.direction / square);
   record((piece.to - end.place) * end.direction / square);
+}
+
+// Records where the prolongations of two loose ends meet. Returns false if they do not,
+// or if the point is too far from one of them.
+bool meet(End& a, End& b, const Rational& reach) {
+  const Rational turn = exact::cross(a.direction, b.direction);
+  if (turn == 0)
+    return false;
+  const Rational s = exact::cross(b.place - a.place, b.direction) / turn;
+  const Rational t = exact::cross(b.place - a.place, a.direction) / turn;
+  if (s <= 0 || t <= 0 || !a.reaches(s, reach) || !b.reaches(t, reach))
+    return false;
+  a.hit = a.hit ? std::min(*a.hit, s) : s;
+  b.hit = b.hit ? std::min(*b.hit, t) : t;
+  return true;
+}
+
+// Lets ends that reach no joint meet each other. A point counts if it is the first one
+// for both, so that the order of the ends has no effect.
+void meet_each_other(std::vector<End>& ends, const std::vector<exact::Box>& probes,
+                     const Rational& reach, StepProgress& progress) {
+  std::vector<exact::Box> left;
+  for (const exact::Box& probe : probes)
+    if (ends[probe.info()].dangles && !ends[probe.info()].hit)
+      left.push_back(probe);
+  std::vector<std::array<std::size_t, 2>> pairs;
+  CGAL::box_self_intersection_d(left.begin(), left.end(),
+                                [&](const exact::Box& a, const exact::Box& b) {
+                                  progress.count(0, 1);
+                                  if (meet(ends[a.info()], ends[b.info()], reach))
+                                    pairs.push_back({a.info(), b.info()});
+                                });
+  std::vector<bool> is_joined(ends.size(), false);
+  for (const auto& [a, b] : pairs)
+    if (ends[a].target() == ends[b].target())
+      is_joined[a] = is_joined[b] = true;
+  for (const exact::Box& probe : left)
+    if (!is_joined[probe.info()])
+      ends[probe.info()].hit.reset();
 }
 
 bool is_inside(const std::vector<Point>& outline, const Point& p) {
@@ -142,20 +188,30 @@ Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& s
                              else
                                meet(piece, end);
                            });
-  for (const End& end : ends) {
+  for (End& end : ends) {
     meeting.count(1, 1);
-    if (!end.dangles || !end.hit || !is_inside(corners, end.place))
-      continue;
-    if (*end.hit * *end.hit * end.direction.squared_length() > reach * reach)
+    end.dangles = end.dangles && is_inside(corners, end.place);
+    result.loose += end.dangles ? 1 : 0;
+    if (end.hit && !end.reaches(*end.hit, reach))
+      end.hit.reset();
+  }
+  meet_each_other(ends, probes, reach, meeting);
+  for (const End& end : ends) {
+    if (!end.dangles || !end.hit)
       continue;
     JointSegment& trace = result.traces[end.trace];
-    (end.at_to ? trace.to : trace.from) =
-        exact::exact_point(end.place + end.direction * *end.hit);
+    (end.at_to ? trace.to : trace.from) = exact::exact_point(end.target());
     ++result.ends;
     const double length =
         exact::nearest(*end.hit) * std::hypot(exact::nearest(end.direction.x()),
                                               exact::nearest(end.direction.y()));
-    result.largest = std::max(result.largest, length);
+    const Vec2 place = exact::nearest(end.place);
+    if (result.ends == 1 ||
+        std::tuple(length, place.x(), place.y()) >
+            std::tuple(result.largest, result.place.x(), result.place.y())) {
+      result.largest = length;
+      result.place = place;
+    }
   }
   return result;
 }

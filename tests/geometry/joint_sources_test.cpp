@@ -1,4 +1,4 @@
-// Joint sets, Voronoi cells and prolonged traces: conventions and exactness.
+// Joint sets and Voronoi cells: conventions and exactness.
 #include "geometry/joint_sources.hpp"
 
 #include <gtest/gtest.h>
@@ -172,31 +172,6 @@ TEST(JointSets, ExpectedPiecesOfANarrowOutlineAreCloseToTheirNumber) {
   }
 }
 
-TEST(Prolonged, EndsThatTouchAJointOrAreOutsideDoNotMove) {
-  const auto traces = joints("1 5 5 5 5 1 5 9 9.5 2 12 2 2 2 5 2");
-  const Prolongation result = prolonged(traces, Decimal(2), {}, points(ten));
-  // 1 5: to the left side. 5 1 and 5 9: to the lower and upper side. 2 2: to the left
-  // side. 9.5 2 -> 12 2 begins inside and dangles; the next joint is 4.5 away.
-  EXPECT_EQ(result.ends, 4U);
-  EXPECT_EQ(result.traces[0].from.nearest(), Vec2(0, 5));
-  EXPECT_EQ(result.traces[0].to.nearest(), Vec2(5, 5));
-  EXPECT_EQ(result.traces[1].from.nearest(), Vec2(5, 0));
-  EXPECT_EQ(result.traces[1].to.nearest(), Vec2(5, 10));
-  EXPECT_EQ(result.traces[2].from.nearest(), Vec2(9.5, 2));
-  EXPECT_EQ(result.traces[3].from.nearest(), Vec2(0, 2));
-}
-
-// The prolonged end is on the other joint exactly, whatever the direction.
-TEST(Prolonged, ReachesTheOtherJointExactly) {
-  auto traces = joints("0.1 0 9.7 10 1.3 7.1 2.9 3.7 0.9 9.1 4.1 6.3");
-  const Prolongation result = prolonged(traces, Decimal(20), {}, points(ten));
-  CutRequest cuts = request(ten, result.traces);
-  const CutResult cut = cut_outline(cuts);
-  EXPECT_EQ(cut.mesh.cells.size(), 4U);
-  EXPECT_NEAR(cut.report.p21_before - cut.report.p21_after, 0.0, 1e-12);
-  testing::expect_tiling(cut);
-}
-
 // The part with the middle remains; a joint that only touches the line of the trace
 // beyond its end, or runs along it, does not end it.
 TEST(EndedAt, KeepsThePartAroundTheMiddle) {
@@ -230,18 +205,6 @@ TEST(EndedAt, IsExact) {
   EXPECT_LT(result.report.lengths.at(2).pruned, 1e-12);
   EXPECT_GT(result.report.lengths.at(2).drawn, 20.0);
   EXPECT_EQ(result.report.x_vertices, 0U);  // no cross joint crosses a bed
-}
-
-// Squares of such lengths are not doubles.
-TEST(Prolonged, TracesMayBeTinyOrEndFarAway) {
-  const auto traces = joints("5 5 5 5.00000000000000000000000000001 -1e300 2 0 2 "
-                             "1e-200 1e-200 2e-200 2e-200 2 3 3 3");
-  const Prolongation result = prolonged(traces, Decimal(20), {}, points(ten));
-  EXPECT_EQ(result.traces[0].from.nearest(), Vec2(5, 0));
-  EXPECT_EQ(result.traces[0].to.nearest(), Vec2(5, 10));
-  EXPECT_EQ(result.traces[2].from.nearest(), Vec2(0, 0));
-  EXPECT_EQ(result.traces[2].to.nearest(), Vec2(3, 3));
-  testing::expect_tiling(cut_outline(request(ten, result.traces)));
 }
 
 TEST(Voronoi, PointsMayBeVeryCloseOrNearlyOnALine) {
