@@ -11,6 +11,7 @@
 
 #include "deck/mesh_readers.hpp"
 #include "exchange/deck_skeleton.hpp"
+#include "exchange/foreign_form.hpp"
 #include "exchange/forms.hpp"
 #include "exchange/mesh_writer.hpp"
 #include "exchange/soundness_text.hpp"
@@ -189,6 +190,12 @@ int import_blocks(ImportOptions options) {
   if (!options.report_only)
     output::check_outputs({options.output, options.deck ? deck : ""});
 
+  if (const auto foreign = exchange::foreign_form(text);
+      !form && foreign && foreign->is_known) {
+    fmt::print(stderr, "blocks: error: {} is {}\n  hint: {}\n", name, foreign->name,
+               foreign->hint);
+    return run::deck_error;
+  }
   OutlineFile file;
   const std::string card = form ? exchange::name_of(*form) : "mesh";
   try {

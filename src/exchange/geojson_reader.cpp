@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exchange/geographic_crs.hpp"
 #include "exchange/json_tree.hpp"
 #include "exchange/ring.hpp"
 
@@ -31,6 +32,9 @@ class Reader {
       if (!expect(root, Json::Kind::object, "the file"))
         return rings_.finish("GeoJSON");
       object(root, {});
+      if (const auto name = geographic_crs(root); name && rings_.could_be_degrees())
+        rings_.warning(root.find("crs")->at, degrees_as_lengths(*name),
+                       hint_of_degrees);
     } catch (const JsonFault& fault) {
       rings_.error(std::min(fault.at, text_.size()), fault.what());
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -102,6 +103,17 @@ void RingReader::add(const std::vector<Position>& ring, RingData data, std::size
   outline.corners.pop_back();
   outline.written.pop_back();
   file_.outlines.push_back(std::move(outline));
+}
+
+bool RingReader::could_be_degrees() const {
+  return std::all_of(
+      file_.outlines.begin(), file_.outlines.end(), [](const Outline& outline) {
+        return std::all_of(outline.corners.begin(), outline.corners.end(),
+                           [](const geometry::Vec2& corner) {
+                             return std::abs(corner.x()) <= 180.0 &&
+                                    std::abs(corner.y()) <= 90.0;
+                           });
+      });
 }
 
 OutlineFile RingReader::finish(const std::string& found) {

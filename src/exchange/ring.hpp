@@ -49,6 +49,9 @@ class RingReader {
   /// once.
   void saw_height(std::size_t at);
 
+  /// Whether all corners so far are in the range of longitude and latitude.
+  bool could_be_degrees() const;
+
   /// Returns the result. found: "GeoJSON"; the number of polygons is appended.
   OutlineFile finish(const std::string& found);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace blocks::exchange {
@@ -158,6 +159,26 @@ void ShapeCollector::report_counts() {
               ? "give LineString (GeoJSON), LINESTRING (WKT), x1, y1, x2, y2 (CSV) or "
                 "lines (DXF)"
               : "give Point (GeoJSON), POINT (WKT) or x, y (CSV)");
+}
+
+ShapeCollector::Degrees ShapeCollector::degrees() const {
+  double low[] = {HUGE_VAL, HUGE_VAL}, high[] = {-HUGE_VAL, -HUGE_VAL};
+  const auto add = [&](const geometry::DecimalPoint& point) {
+    const double place[] = {point.x.value(), point.y.value()};
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], place[k]);
+      high[k] = std::max(high[k], place[k]);
+    }
+  };
+  for (const Trace& trace : traces_)
+    std::for_each(trace.points.begin(), trace.points.end(), add);
+  std::for_each(points_.begin(), points_.end(), add);
+  if (low[0] < -180 || high[0] > 180 || low[1] < -90 || high[1] > 90)
+    return Degrees::impossible;
+  const double size = std::max(high[0] - low[0], high[1] - low[1]);
+  return size > 0 && size < 1 && 100 * size < std::hypot(low[0], low[1])
+             ? Degrees::likely
+             : Degrees::possible;
 }
 
 void ShapeCollector::number_lines() {

@@ -41,6 +41,11 @@ class ShapeCollector {
     unit_ = std::move(unit);
     curves_ = std::move(curves);
   }
+  /// What the coordinates so far tell of their unit. likely: all are in the range of
+  /// longitude and latitude, and they are less than 1, and less than a hundredth of
+  /// their distance from the origin, apart. possible: they are only in this range.
+  enum class Degrees { impossible, possible, likely };
+  Degrees degrees() const;
 
   TraceFile finish_traces(const std::string& form);
   PointFile finish_points(const std::string& form);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exchange/foreign_form.hpp"
+#include "exchange/geographic_crs.hpp"
 #include "exchange/json_tree.hpp"
 #include "exchange/shape_collector.hpp"
 
@@ -13,8 +15,19 @@ class GeoJsonShapes {
   explicit GeoJsonShapes(ShapeCollector& shapes) : shapes_(shapes) {}
 
   void read(const Json& root) {
-    if (expect(root, Json::Kind::object, "the file"))
-      object(root, {});
+    if (!expect(root, Json::Kind::object, "the file"))
+      return;
+    object(root, {});
+    using enum ShapeCollector::Degrees;
+    const Json* crs = root.find("crs");
+    if (const auto name = geographic_crs(root); name && shapes_.degrees() != impossible)
+      shapes_.warning(crs->at, degrees_as_lengths(*name), hint_of_degrees);
+    else if (!crs && shapes_.degrees() == likely)
+      shapes_.warning(
+          root.at,
+          "the coordinates look like degrees of longitude and latitude, and "
+          "are taken as lengths",
+          hint_of_degrees);
   }
 
  private:
@@ -55,7 +68,9 @@ class GeoJsonShapes {
 void GeoJsonShapes::object(const Json& node, const Data& data) {
   const Json* type = node.find("type");
   if (!type) {
-    shapes_.error(node.at, "\"type\" is missing");
+    const bool is_esri = node.find("geometryType") != nullptr;
+    shapes_.error(node.at, is_esri ? "this is JSON of Esri" : "\"type\" is missing",
+                  is_esri ? hint_of_ogr2ogr : "");
     return;
   }
   if (!expect(*type, Json::Kind::string, "\"type\""))

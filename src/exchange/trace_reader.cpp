@@ -1,5 +1,6 @@
 #include "exchange/trace_reader.hpp"
 
+#include "exchange/foreign_form.hpp"
 #include "exchange/forms.hpp"
 #include "exchange/shape_collector.hpp"
 
@@ -10,6 +11,10 @@ namespace {
 std::string collect(std::string_view text, ShapeCollector& shapes) {
   const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const auto form = recognise(text);
+  if (const auto foreign = form ? std::nullopt : foreign_form(text)) {
+    shapes.error(nowhere, "this is " + foreign->name, foreign->hint);
+    return "file";
+  }
   if (!form)
     collect_csv(text, begin, shapes);
   else if (*form == Form::geojson)

@@ -25,7 +25,7 @@ struct Trace {
 
 /// The content of a trace file. If the messages contain errors, traces may be missing.
 struct TraceFile {
-  std::string form;   ///< "GeoJSON", "WKT", "CSV" or "DXF", for exchange::format
+  std::string form;   ///< "GeoJSON", "WKT", "CSV", "DXF" or "file", for exchange::format
   std::string found;  ///< summary: "GeoJSON, 12 polylines, 40 segments"
   std::vector<Trace> traces;
   std::vector<std::string> layers;  ///< that have traces, by their first trace
@@ -36,7 +36,7 @@ struct TraceFile {
 /// The content of a file of points. If the messages contain errors, points may be
 /// missing.
 struct PointFile {
-  std::string form;   ///< "GeoJSON", "WKT" or "CSV", for exchange::format
+  std::string form;   ///< "GeoJSON", "WKT", "CSV" or "file", for exchange::format
   std::string found;  ///< summary: "WKT, 12 points"
   std::vector<geometry::DecimalPoint> points;  ///< [L] exactly as written
   std::vector<Message> messages;
@@ -52,10 +52,12 @@ struct PointFile {
 ///   comment.
 /// - DXF: lines, polylines and curves (dxf_reader.hpp). A number in the name
 ///   of a layer ("3_bedding", "joint_3") gives the joint id.
-/// Errors: other geometries, a polyline with fewer than two different points, numbers
-/// that are not finite, a joint id that is not a whole number >= 0, no polylines at
-/// all. Warnings: repeated points and further coordinates, which are dropped. All
-/// errors are reported in one pass; only a syntax error of GeoJSON or WKT ends it.
+/// Errors: files of other programs (foreign_form.hpp), other geometries, a polyline
+/// with fewer than two different points, numbers that are not finite, a joint id that
+/// is not a whole number >= 0, no polylines at all. Warnings: repeated points and
+/// further coordinates, which are dropped; GeoJSON with coordinates that are degrees
+/// or, without a member "crs", look like degrees. All errors are reported in one pass;
+/// only a syntax error of GeoJSON or WKT ends it.
 TraceFile read_traces(std::string_view text);
 
 /// Reads points in the order of the file: GeoJSON Point and MultiPoint, WKT POINT and

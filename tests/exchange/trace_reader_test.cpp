@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <random>
 
+#include "exchange/geojson_reader.hpp"
 #include "exchange/mutants.hpp"
 #include "run/program.hpp"
 
@@ -104,6 +105,58 @@ TEST(Traces, FromCsvInAnyOrderOfColumns) {
   EXPECT_FALSE(has_errors(file.messages));
   EXPECT_EQ(describe(read_traces("0,0, 1.50,1")), "-@1: (0 0) (15e-1 1)\n");
   EXPECT_EQ(describe(read_traces("\n 0 0\t1 -2 \n")), "-@2: (0 0) (1 -2)\n");
+}
+
+/// A GeoJSON line with this member crs, which may be empty.
+std::string line_with(const std::string& crs, const std::string& points) {
+  return R"({"type": "FeatureCollection", )" + crs +
+         R"("features": [{"type": "Feature", )" +
+         R"("properties": {}, "geometry": {"type": "LineString", "coordinates": [)" +
+         points + "]}}]}";
+}
+std::string crs(const std::string& name) {
+  return R"("crs": {"type": "name", "properties": {"name": ")" + name + R"("}}, )";
+}
+
+// A local map can have small numbers, and a wrong crs can have numbers beyond degrees.
+TEST(Traces, ThatAreDegreesAreWarnedOf) {
+  const std::string place = "[5.3241, 60.3897], [5.3245, 60.3900]";
+  const auto told = [](const std::string& text) {
+    const TraceFile file = read_traces(text);
+    EXPECT_FALSE(has_errors(file.messages));
+    return messages(file, text);
+  };
+  for (const std::string name :
+       {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:EPSG::4326", "EPSG:4258"})
+    EXPECT_NE(
+        told(line_with(crs(name), place)).find("the coordinates are degrees (crs "),
+        std::string::npos)
+        << name;
+  EXPECT_NE(told(line_with("", place)).find("the coordinates look like degrees"),
+            std::string::npos);
+  for (const std::string& lengths :
+       {line_with(crs("urn:ogc:def:crs:EPSG::25832"), place),
+        line_with(R"("crs": null, )", place), line_with("", "[0, 0], [40, 60]"),
+        line_with("", "[100, 50], [120, 55]"),
+        line_with("", "[412300, 6731800], [412300.5, 6731800]"),
+        line_with(crs("urn:ogc:def:crs:OGC:1.3:CRS84"), "[0, 0], [412300, 6731800]"),
+        line_with(R"("crs": {"properties": 7}, )", place)})
+    EXPECT_EQ(told(lengths), "") << lengths;
+}
+
+TEST(Outlines, ThatAreDegreesAreWarnedOf) {
+  const auto polygon = [](const std::string& name, const std::string& ring) {
+    std::string text = line_with(crs(name), "[" + ring + "]");
+    return text.replace(text.find("LineString"), 10, "Polygon");
+  };
+  const std::string name = "urn:ogc:def:crs:OGC:1.3:CRS84";
+  const OutlineFile degrees =
+      read_geojson(polygon(name, "[5, 60], [6, 60], [6, 61], [5, 60]"));
+  ASSERT_EQ(degrees.messages.size(), 1u);
+  EXPECT_EQ(degrees.messages[0].text,
+            "the coordinates are degrees (crs CRS84), and are taken as lengths");
+  EXPECT_TRUE(read_geojson(polygon(name, "[0, 0], [600, 0], [600, 600], [0, 0]"))
+                  .messages.empty());
 }
 
 TEST(Points, FromAllForms) {
