@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "deck/mesh_readers.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -16,6 +17,30 @@
 namespace blocks::run {
 
 using geometry::QuadShape;
+
+namespace {
+
+/// Returns the width or height of the corners, whichever is the larger one, [L].
+double extent(const geometry::Polygon& corners) {
+  Vec2 low = corners[0], high = corners[0];
+  for (const Vec2& corner : corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  return (high - low).maxCoeff();
+}
+
+/// Returns " between joints 1, 3", or an empty text without joints.
+std::string between(const std::vector<int>& joints) {
+  std::set<int> ids(joints.begin(), joints.end());
+  ids.erase(0);
+  return ids.empty()
+             ? std::string()
+             : fmt::format(" {} {}", ids.size() == 1 ? "at joint" : "between joints",
+                           fmt::join(ids, ", "));
+}
+
+}  // namespace
 
 double BlockBuilder::density(long material, deck::SourceLocation where) {
   const auto& materials = model_.settings.materials;
@@ -60,11 +85,20 @@ bool BlockBuilder::fits(long more, deck::SourceLocation where) {
 }
 
 bool BlockBuilder::has_weight(const geometry::Polygon& clockwise,
-                              deck::SourceLocation where, const std::string& what) {
+                              deck::SourceLocation where, const std::string& what,
+                              const std::string& hint_if_thin) {
   const geometry::SectionProperties section = geometry::section_properties(clockwise);
   if (section.area > 0.0 && std::isfinite(section.area) && section.polar_moment > 0.0 &&
       std::isfinite(section.polar_moment))
     return true;
+  const double length = extent(clockwise);
+  if (const double square = length * length; std::isnormal(square * square)) {
+    error(where,
+          fmt::format("{} is too thin to calculate with, at ({:.6g}, {:.6g})", what,
+                      clockwise[0].x(), clockwise[0].y()),
+          hint_if_thin);
+    return false;
+  }
   const bool vanishing = section.area == 0.0 || section.polar_moment == 0.0;
   error(where,
         fmt::format("{}: its area or second moment is too {} to calculate with", what,
@@ -284,9 +318,12 @@ std::vector<std::string> BlockBuilder::cut(const deck::Cut& card,
   for (NewBlock& block : made->blocks) {
     block.density = rho;
     corners = std::max(corners, block.outline.size());
-    if (!has_weight(block.outline, command_.where,
-                    fmt::format("block {} of the cut domain",
-                                &block - made->blocks.data() + 1)))
+    if (!has_weight(
+            block.outline, command_.where,
+            fmt::format("block {} of the cut domain{}",
+                        &block - made->blocks.data() + 1, between(block.joints)),
+            "give emin and amin, such as 1e-6 of the size of a block, or remove "
+            "one of two joints that nearly coincide there"))
       return {};
   }
   if (static_cast<long>(corners) > model_.settings.max_corners && has_start()) {

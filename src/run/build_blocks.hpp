@@ -53,8 +53,10 @@ class BlockBuilder {
   /// Whether `more` blocks still fit under START's maximum. Reports an error if not.
   bool fits(long more, deck::SourceLocation where);
   /// Whether area and second moment are finite and positive. Reports an error if not.
+  /// hint_if_thin: what to do if the block is not small, but thin.
   bool has_weight(const geometry::Polygon& clockwise, deck::SourceLocation where,
-                  const std::string& what);
+                  const std::string& what,
+                  const std::string& hint_if_thin = "move its sides apart");
   /// Checks an outline exactly and makes it clockwise. Each side keeps its joint id in
   /// `joints`, which may be null. `what` names the outline in messages.
   /// `warned` is set once a warning was given, which is then not repeated.

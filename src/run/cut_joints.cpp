@@ -15,6 +15,7 @@
 #include "output/file_tools.hpp"
 #include "run/contact_room.hpp"
 #include "run/joint_files.hpp"
+#include "run/snap_proposal.hpp"
 
 namespace blocks::run {
 namespace {
@@ -70,9 +71,10 @@ class Generator {
 
  private:
   /// The segments of a TRACES card in made_.segments.
-  struct Snapped {
+  struct Mapped {
     const deck::Traces* card;
     std::size_t first, end;
+    double extent;  ///< [L] mean distance between the ends of a trace
   };
 
   void error(deck::SourceLocation where, const char* card, const std::string& message,
@@ -218,25 +220,33 @@ class Generator {
   }
   void generate(const deck::Traces& card) {
     const std::size_t first = made_.segments.size();
-    for (const exchange::Trace& trace : traces_.at(&card))
+    const std::vector<exchange::Trace>& traces = traces_.at(&card);
+    for (const exchange::Trace& trace : traces)
       for (std::size_t i = 1; i < trace.points.size(); ++i)
         made_.segments.push_back(
             {trace.points[i - 1], trace.points[i],
              trace.joint.value_or(static_cast<int>(card.id.value))});
     warn_if_far(first, card.where, "TRACES", "no trace of this file meets the outline",
                 "give the outline and the traces in the same coordinates");
-    if (card.snap.value.value() > 0.0)
-      snapped_.push_back({&card, first, made_.segments.size()});
+    mapped_.push_back({&card, first, made_.segments.size(), mean_extent(traces)});
   }
 
-  /// Prolongs the ends of each file against all other joints as they are given.
+  /// Prolongs the ends of each file against all other joints as they are given, or
+  /// proposes it if the card says nothing about its loose ends.
   void prolong() {
     const std::vector<JointSegment> given = made_.segments;
-    for (const Snapped& part : snapped_) {
+    for (const Mapped& part : mapped_) {
+      const bool snaps = part.card->snap.value.value() > 0.0;
+      if (part.card->snap.given && !snaps)
+        continue;
       const auto begin = given.begin(), first = begin + static_cast<long>(part.first),
                  end = begin + static_cast<long>(part.end);
       std::vector<JointSegment> others(begin, first);
       others.insert(others.end(), end, given.end());
+      if (!snaps) {
+        propose(part, {first, end}, others);
+        continue;
+      }
       geometry::Prolongation moved =
           geometry::prolonged({first, end}, part.card->snap.value, others,
                               around_.outline, around_.progress);
@@ -249,6 +259,18 @@ class Generator {
                              counted(static_cast<long>(moved.ends), "loose end"),
                              moved.largest));
     }
+  }
+
+  /// Warns of ends that stop just short of another joint if they are many, and notes
+  /// them otherwise.
+  void propose(const Mapped& part, const std::vector<JointSegment>& traces,
+               const std::vector<JointSegment>& others) {
+    const auto found =
+        propose_snap(traces, part.extent, others, around_.outline, around_.progress);
+    if (found && found->is_common)
+      diagnostics_.warning(part.card->where, "TRACES", found->message, found->hint);
+    else if (found)
+      note("TRACES", part.card->file, found->message + "; " + found->hint);
   }
 
   void add(std::vector<JointSegment> segments) {
@@ -362,7 +384,7 @@ class Generator {
   std::map<const deck::Jset*, geometry::JointSet> sets_;
   std::map<const deck::Voronoi*, geometry::VoronoiRequest> cells_;
   std::map<const deck::Traces*, std::vector<exchange::Trace>> traces_;
-  std::vector<Snapped> snapped_;
+  std::vector<Mapped> mapped_;
   double expected_ = 0.0;  ///< number of pieces
   bool sound_ = true;
 };

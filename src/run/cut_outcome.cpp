@@ -1,9 +1,11 @@
 #include "run/cut_outcome.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/cut.hpp"
 #include "geometry/polygon.hpp"
@@ -38,7 +40,9 @@ class DomainCutter {
     request.joints = std::move(joints->segments);
     request.progress = options.progress;
     try {
-      CutOutcome outcome = outcome_of(geometry::cut_outline(request));
+      const geometry::CutResult result = geometry::cut_outline(request);
+      warn_of_lost_joints(request, result.report);
+      CutOutcome outcome = outcome_of(result);
       outcome.notes = std::move(joints->notes);
       return outcome;
     } catch (const CutError& fault) {
@@ -133,6 +137,30 @@ class DomainCutter {
     case CutError::Kind::certificate:
       return error(where_, "CUT", message, fault.hint);
     }
+  }
+
+  /// Warns of joint ids that no side can have, because the smallest id counts where
+  /// joints coincide.
+  void warn_of_lost_joints(const geometry::CutRequest& request,
+                           const CutReport& report) {
+    Eigen::AlignedBox2d domain;
+    for (const Vec2& corner : *request.rounded)
+      domain.extend(corner);
+    std::map<int, Vec2> lost;  // with the middle of the first joint
+    for (const geometry::JointSegment& joint : request.joints) {
+      const Vec2 middle = 0.5 * joint.from.nearest() + 0.5 * joint.to.nearest();
+      if (joint.id > 0 && !report.lengths.contains(joint.id) &&
+          (domain.min().array() < middle.array()).all() &&
+          (middle.array() < domain.max().array()).all())
+        lost.emplace(joint.id, middle);
+    }
+    for (const auto& [id, middle] : lost)
+      diagnostics_.warning(
+          where_, "CUT",
+          fmt::format("no side has the joint id {}: its joints coincide with others of "
+                      "a smaller id, as at ({:.6g}, {:.6g}), or with the outline",
+                      id, middle.x(), middle.y()),
+          "remove them, or give them the smaller id");
   }
 
   CutOutcome outcome_of(const geometry::CutResult& result) {
