@@ -155,6 +155,13 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
                   "closed line of a DXF map, or the box around the lines)")
       ->needs(const_cast<CLI::Option*>(map));
   command
+      .add_option(
+          "--snap", options.snap,
+          "with --map: loose ends are prolonged to the next joint if that is at "
+          "most this far")
+      ->needs(const_cast<CLI::Option*>(map))
+      ->check(CLI::NonNegativeNumber);
+  command
       .add_option("--layer", options.layers,
                   "with --map: the joint id of a layer, NAME=ID, or NAME=outline or "
                   "NAME=skip; may be repeated")

@@ -15,6 +15,7 @@ struct ImportOptions {
   bool deck = false;            ///< also write a deck that uses the mesh
   bool map = false;             ///< lines are joints, from which a deck cuts blocks
   std::string outline;          ///< of a map: a file with its polygon; empty: none
+  double snap = -1.0;           ///< of a map, [L] as on TRACES; < 0: not given
   std::vector<std::string> layers;  ///< of a map: "NAME=3", "NAME=outline", "NAME=skip"
   bool keep_overlaps = false;
   bool report_only = false;

@@ -154,10 +154,17 @@ std::string box_card(const TraceFile& file) {
                      left, right, low, high);
 }
 
-/// The cards OUTLINE to CUT. map, outline: paths as the deck names them.
+/// The files of the cards, as the deck names them.
+struct Files {
+  std::string map, outline;  ///< outline: empty: none
+};
+
+/// The cards OUTLINE to CUT. snap: < 0: not given.
 std::string cards_of(const TraceFile& file, const std::vector<Layer>& layers,
-                     const std::optional<std::string>& outline_layer,
-                     const std::string& map, const std::string& outline) {
+                     const std::optional<std::string>& outline_layer, double snap,
+                     const Files& files) {
+  const auto& [map, outline] = files;
+  const std::string how_far = snap < 0.0 ? "" : fmt::format("{}", snap);
   std::string cards =
       !outline.empty() ? fmt::format("OUTLINE, , 1, {}\n", quoted(outline))
       : outline_layer
@@ -166,11 +173,12 @@ std::string cards_of(const TraceFile& file, const std::vector<Layer>& layers,
                                                : ", " + quoted(*outline_layer))
           : box_card(file);
   if (layers.empty())
-    cards += fmt::format("TRACES, {}, 1\n", quoted(map));
+    cards += fmt::format("TRACES, {}, 1{}{}\n", quoted(map), snap < 0.0 ? "" : ", ",
+                         how_far);
   for (const Layer& layer : layers)
     if (layer.role == Role::joints)
-      cards += fmt::format("TRACES, {}, {}, , {}\n", quoted(map), layer.joint,
-                           quoted(layer.name));
+      cards += fmt::format("TRACES, {}, {}, {}, {}\n", quoted(map), layer.joint,
+                           how_far, quoted(layer.name));
   return cards + "CUT\n";
 }
 
@@ -185,9 +193,11 @@ std::optional<std::vector<exchange::Outline>> blocks_of(const std::string& name,
                  cards + "STOP\n";
   options.tell = [](const deck::Diagnostics& said) {
     for (const deck::Diagnostic& one : said.all())
-      if (one.severity == deck::Severity::error)
-        fmt::print(stderr, "blocks: error: {}: {}\n  hint: {}\n", one.card, one.message,
-                   one.hint);
+      if (one.card != "STOP")  // the deck of the user has cards that pass time
+        fmt::print(stderr, "blocks: {}: {}: {}\n{}",
+                   one.severity == deck::Severity::error ? "error" : "warning",
+                   one.card, one.message,
+                   one.hint.empty() ? "" : "  hint: " + one.hint + "\n");
   };
   const run::CheckedDeck checked = run::build_checked(options);
   if (checked.code != run::done)
@@ -249,7 +259,7 @@ int import_map(ImportOptions options) {
     fmt::print("{}: {}\n", options.file, file.found);
 
   const std::string here =
-      cards_of(file, layers, of_outline, options.file, options.outline);
+      cards_of(file, layers, of_outline, options.snap, {options.file, options.outline});
   const auto blocks = blocks_of(options.file, here);
   if (!blocks)
     return run::deck_error;
@@ -270,8 +280,9 @@ int import_map(ImportOptions options) {
     return run::done;
   const fs::path folder = fs::path(options.output).parent_path();
   const std::string cards =
-      cards_of(file, layers, of_outline, path_from(folder, options.file),
-               options.outline.empty() ? "" : path_from(folder, options.outline));
+      cards_of(file, layers, of_outline, options.snap,
+               {path_from(folder, options.file),
+                options.outline.empty() ? "" : path_from(folder, options.outline)});
   try {
     write_text_file(options.output, exchange::write_deck_skeleton(
                                         *blocks, {},

@@ -75,6 +75,22 @@ TEST(Map, TakesTheOutlineFromAnotherFileOrTheBoxOfTheTraces) {
   EXPECT_THAT(slurp(folder / "g.deck"), HasSubstr("OUTLINE, , 1, 'o.wkt'\n"));
 }
 
+// A bed that ends a centimetre before the boundary cuts after --snap only.
+TEST(Map, ProposesAndTakesSnap) {
+  const TemporaryFolder folder;
+  folder.write("m.dxf", dxf_drawing(dxf_ring("a", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}) +
+                                    dxf_line("beds", -1, 2, 3.99, 2)));
+  const Outcome loose = blocks("import m.dxf --map", folder.path());
+  EXPECT_EQ(loose.code, 0);
+  EXPECT_THAT(loose.out, HasSubstr("1 block, certified"));
+  EXPECT_THAT(loose.err, HasSubstr("snap"));
+  const Outcome joined = blocks("import m.dxf --map --snap .02", folder.path());
+  EXPECT_THAT(joined.out, HasSubstr("2 blocks, certified"));
+  EXPECT_EQ(joined.err, "");
+  EXPECT_THAT(slurp(folder / "m.deck"),
+              HasSubstr("TRACES, 'm.dxf', 1, 0.02, 'beds'\n"));
+}
+
 TEST(Map, AsksWhichClosedLineIsTheOutline) {
   const TemporaryFolder folder;
   folder.write("m.dxf", dxf_drawing(dxf_ring("a", {{0, 0}, {4, 0}, {4, 4}}) +
