@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The documentation is a test: check_docs.py WHAT SOURCE [PROGRAM], WHAT being links,
-citations, departures, installed, versions, tutorial, commands or examples."""
+citations, departures, installed, versions, tutorial, commands, examples, results, identifiers
+or width."""
 
 import json
 import os
@@ -9,6 +10,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from fnmatch import fnmatch
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -312,9 +314,36 @@ def check_commands(source, program):
     return faults
 
 
+def check_identifiers(source):
+    """A name in code type that looks like one of the program is somewhere in its sources,
+    and so is a path; the glossary explains each term once."""
+    files = subprocess.run(["git", "ls-files"], cwd=source, text=True, capture_output=True,
+                           check=True).stdout.split()
+    paths = {parent.as_posix() for file in files for parent in [Path(file), *Path(file).parents]}
+    known = {word for file in files if not file.endswith((".md", ".expected", ".wkt", ".geojson"))
+             for word in re.findall(r"[a-zA-Z]\w*", Path(source, file).read_text(errors="replace")
+                                    .replace("-D_", " "))}
+    faults, count = [], 0
+    for page in [source / "README.md", source / "CONTRIBUTING.md", *source.glob("docs/*.md")]:
+        text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.M | re.S)
+        for shown in re.findall(r"`([^`\s]+)`", text):
+            named = re.findall(r"(?<![\w./])(?:src|geometry|tests|validation|packaging)/[\w/.*-]*[\w*]", shown)
+            faults += [f"{page}: no file {name}" for name in named
+                       if not any(fnmatch(path, name) or path.startswith(name + ".") for path in paths)]
+            words = [] if named else re.findall(r"[a-zA-Z]\w*_\w+|\b[a-zA-Z]\w*[a-z][A-Z]\w*", shown)
+            count += len(words)
+            faults += [f"{page}: {word} is in no source" for word in words
+                       if word not in known and word.removeprefix("fuzz_") not in known]
+    terms = re.findall(r"\*\*([^*]+)\*\*(?=[,:])", Path(source, "docs/glossary.md").read_text())
+    faults += [f"the glossary explains {term} twice" for term in sorted(set(terms))
+               if terms.count(term) > 1]
+    assert count > 300 and len(terms) > 50, (count, len(terms))
+    return faults
+
+
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "citations": check_citations, "departures": check_departures, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results, "width": check_width}[what]
+    check = {"links": check_links, "citations": check_citations, "departures": check_departures, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results, "identifiers": check_identifiers, "width": check_width}[what]
     faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
