@@ -50,7 +50,7 @@ std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
       "geometry", "deck",   "model",  "dynamics", "exchange", "quantities",
       "output",   "post",   "run",    "study",    "audit",    "library",
-      "sweep",    "report", "python", "apps"};
+      "sweep",    "report", "python", "apps",     "joints"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
@@ -78,6 +78,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "exchange",
                                             "geometry",
                                             "geometry/exact",
+                                            "joints",
                                             "library",
                                             "library/blocks",
                                             "model",
@@ -120,6 +121,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"geometry/exact", {"geometry"}},
       {"deck", {"deck", "geometry"}},
       {"exchange", {"exchange", "geometry"}},
+      {"joints", {"joints", "post", "geometry"}},
       {"model", {"model", "geometry"}},
       {"dynamics", {"dynamics", "model", "geometry"}},
       {"audit", {"audit", "model", "geometry"}},

@@ -26,6 +26,7 @@
 #include "help_page.hpp"
 #include "history_command.hpp"
 #include "import_command.hpp"
+#include "joints_command.hpp"
 #include "manual_command.hpp"
 #include "option_checks.hpp"
 #include "output/file_access_guard.hpp"
@@ -240,6 +241,14 @@ int dispatch(std::vector<std::string> words) {
   blocks::apps::add_export_options(*to_others, export_options);
   add_set_option(*to_others, sets);
 
+  blocks::apps::JointsOptions joints_options;
+  auto* joints = app.add_subcommand("joints", "describe maps of fracture traces");
+  joints->require_subcommand(1);
+  auto* joint_numbers = joints->add_subcommand(
+      "statistics", "count nodes, lengths, directions and spacings of traces");
+  blocks::apps::add_joint_statistics_options(*joint_numbers, joints_options);
+  add_set_option(*joint_numbers, sets);
+
   blocks::apps::StudyOptions study_options;
   auto* study = app.add_subcommand("study", "measure how robust contact detection is");
   auto* contacts =
@@ -271,6 +280,7 @@ int dispatch(std::vector<std::string> words) {
     for (const std::string& text : sets)
       options.overrides.push_back(override_of(text));
     export_options.input.overrides = options.overrides;
+    joints_options.input.overrides = options.overrides;
   } catch (const CLI::ParseError& error) {
     const bool is_fault = error.get_exit_code() != 0;
     if (is_fault && astray_from_audit(app).empty())
@@ -306,6 +316,8 @@ int dispatch(std::vector<std::string> words) {
     return blocks::apps::import_blocks(import_options);
   if (*to_others)
     return blocks::apps::export_blocks(export_options);
+  if (*joint_numbers)
+    return blocks::apps::joint_statistics(joints_options);
   if (*contacts)
     return blocks::apps::study_contacts(study_options);
   if (*study) {

@@ -73,6 +73,14 @@ const std::map<std::string, CommandPage>& command_pages() {
         ".msh or READ9's text form; coordinates are written exactly. From results, it "
         "also writes blocks and contacts at all times: .pvd for ParaView and VisIt, or "
         ".csv."}},
+      {"joints",
+       {"blocks joints statistics decks/slope/slope.deck", "",
+        "Measures mapped fracture traces, and the joints of a deck before they are "
+        "cut: "
+        "nodes and branches, density and length corrected for the window, families of "
+        "directions, spacing along scanlines. Several inputs are columns of one table, "
+        "so that a generated network can be compared with its map; see "
+        "docs/joint-statistics.md."}},
       {"study",
        {"blocks study contacts figure4b --variants default,report", "",
         "Runs variants of the contact rules on the same random copies of a scene and "

@@ -1,6 +1,7 @@
 #include "option_checks.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <string>
 
 namespace blocks::apps {
@@ -42,6 +43,17 @@ CLI::Validator positive_number() {
                        : "expected a number above 0, found '" + text + "'";
           },
           "POSITIVE"};
+}
+
+CLI::Validator length_from_zero() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && value >= 0.0 &&
+                           std::isfinite(value)
+                       ? std::string()
+                       : "expected a length of 0 or more, found '" + text + "'";
+          },
+          "NONNEGATIVE"};
 }
 
 CLI::Validator whole_steps() { return whole("a number of steps", "STEPS"); }

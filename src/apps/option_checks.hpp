@@ -12,6 +12,9 @@ CLI::Validator seed_number();
 /// Accepts numbers above 0; CLI::PositiveNumber also accepts NaN.
 CLI::Validator positive_number();
 
+/// Accepts finite numbers from 0 on.
+CLI::Validator length_from_zero();
+
 /// Accepts a number of steps; CLI::PositiveNumber also accepts fractions, and its
 /// message gives a range of doubles.
 CLI::Validator whole_steps();

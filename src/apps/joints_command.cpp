@@ -1,0 +1,157 @@
+#include "joints_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "fault.hpp"
+#include "joints/statistics.hpp"
+#include "option_checks.hpp"
+#include "output/check_outputs.hpp"
+#include "run/run.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+namespace {
+
+/// Reads "x1,y1,x2,y2".
+joints::Scanline scanline_of(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& part : CLI::detail::split(text, ','))
+    if (const auto number = geometry::Decimal::parse(CLI::detail::trim_copy(part)))
+      numbers.push_back(number->value());
+  const bool complete =
+      numbers.size() == 4 && std::count(text.begin(), text.end(), ',') == 3;
+  if (!complete || (numbers[0] == numbers[2] && numbers[1] == numbers[3]))
+    throw std::runtime_error(
+        "--scanline needs two different points, x1,y1,x2,y2, found "
+        "'" +
+        text + "'");
+  return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
+
+/// Checks the names of the outputs before the maps are read.
+void check_joint_outputs(const JointsOptions& options,
+                         const std::set<std::string>& endings,
+                         const std::string& endings_in_words) {
+  for (const std::string& path : options.outputs) {
+    if (!endings.contains(std::filesystem::path(path).extension().string()))
+      throw std::runtime_error("the output's name must end in " + endings_in_words +
+                               ", found '" + path + "'");
+    for (const auto* inputs : {&options.input.files, &options.input.outlines})
+      for (const std::string& input : *inputs)
+        if (same_file(path, input))
+          throw std::runtime_error("-o " + path + " would overwrite an input");
+  }
+  output::check_outputs(options.outputs);
+}
+
+void add_input_options(CLI::App& command, MapInput& input) {
+  command
+      .add_option("--outline", input.outlines,
+                  "window in which the traces were mapped: GeoJSON or WKT with one "
+                  "polygon (default: the box of the traces; for a deck, its OUTLINE)")
+      ->allow_extra_args(false)
+      ->take_all();
+  command
+      .add_option("--snap", input.snap,
+                  "ends that stop short of a trace, or overshoot it, by at most this "
+                  "length meet it")
+      ->check(length_from_zero());
+  command
+      .add_option("--seed", input.seed,
+                  "for a deck: seed of its joints; replaces that of the SEED card")
+      ->check(seed_number());
+}
+
+void add_shortest_option(CLI::App& command, double& shortest) {
+  command
+      .add_option("--shortest", shortest,
+                  "length of the shortest traces that were mapped everywhere; shorter "
+                  "ones are left out of laws of length (default: 0)")
+      ->check(length_from_zero());
+}
+
+/// Warns of what makes the counts of a map doubtful.
+void tell_doubts(const joints::MapStatistics& map) {
+  const joints::Network& network = map.network;
+  const auto warn = [&](std::size_t count, const std::string& what,
+                        const std::string& hint) {
+    if (count > 0)
+      fmt::print(stderr, "blocks: warning: {}: {} {}\n  hint: {}\n", map.name, count,
+                 what, hint);
+  };
+  warn(network.overlaps, "ends where a trace coincides with another one",
+       "draw each trace once");
+  warn(network.nodes.joined,
+       "places where the ends of two traces meet; they count as no node",
+       "draw one trace there, or prolong one of them to a third");
+  warn(network.nodes.more, "nodes with more than four branches; they count as X",
+       "look whether traces meet there in one point");
+}
+
+}  // namespace
+
+void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
+  command
+      .add_option("INPUT", options.input.files,
+                  "files of traces (GeoJSON, WKT, CSV) and decks, whose joints are "
+                  "taken before they are cut; several are columns of one table")
+      ->required();
+  add_input_options(command, options.input);
+  add_shortest_option(command, options.shortest);
+  command
+      .add_option("--scanline", options.scanlines,
+                  "a scanline x1,y1,x2,y2; may be repeated (lines along x and y, and "
+                  "across each family, are always counted)")
+      ->type_name("X1,Y1,X2,Y2")
+      ->allow_extra_args(false)
+      ->take_all();
+  command
+      .add_option("-o,--output", options.outputs,
+                  "a .json file with all numbers (default: print a table)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_flag("--json", options.json, "print all numbers as JSON");
+}
+
+int joint_statistics(const JointsOptions& options) {
+  try {
+    joints::StatisticsOptions how;
+    how.snap = options.input.snap;
+    how.shortest = options.shortest;
+    for (const std::string& line : options.scanlines)
+      how.scanlines.push_back(scanline_of(line));
+    check_joint_outputs(options, {".json"}, ".json");
+    const ReadMaps read = read_maps(options.input);
+    if (read.code != run::done)
+      return read.code;
+    std::vector<joints::MapStatistics> maps;
+    for (const joints::TraceMap& map : read.maps) {
+      maps.push_back(joints::statistics_of(map, how));
+      tell_doubts(maps.back());
+    }
+    for (const std::string& path : options.outputs) {
+      write_text_file(path, joints::statistics_json(maps));
+      fmt::print("{}\n", path);
+    }
+    if (options.json)
+      std::cout << joints::statistics_json(maps);
+    else if (options.outputs.empty())
+      std::cout << joints::statistics_text(maps);
+    return run::done;
+  } catch (const geometry::CutError& fault) {
+    fmt::print(stderr, "blocks: error: {}, at ({:.6g}, {:.6g})\n  hint: {}\n",
+               fault.what(), fault.place.x(), fault.place.y(), fault.hint);
+    return run::deck_error;
+  } catch (const std::runtime_error& error) {
+    return tell_fault(error);
+  }
+}
+
+}  // namespace blocks::apps

@@ -1,0 +1,26 @@
+// `blocks joints`: statistics of fracture traces, and joint sets fitted to them.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "joint_maps.hpp"
+
+namespace blocks::apps {
+
+struct JointsOptions {
+  MapInput input;
+  double shortest = 0.0;               ///< [L] >= 0
+  std::vector<std::string> scanlines;  ///< "x1,y1,x2,y2"
+  std::vector<std::string> outputs;    ///< files; empty: print a table
+  bool json = false;                   ///< print JSON instead of the table
+  bool quiet = false;
+};
+
+void add_joint_statistics_options(CLI::App& command, JointsOptions& options);
+
+/// Prints or writes the statistics. Returns a code of run::ExitCode.
+int joint_statistics(const JointsOptions& options);
+
+}  // namespace blocks::apps

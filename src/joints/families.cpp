@@ -1,0 +1,288 @@
+#include "joints/families.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace blocks::joints {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// Deviations below a twentieth of a degree are not told apart: sd = 1 / (2 sqrt
+/// kappa).
+constexpr double largest_kappa = 3.3e5;
+
+/// ln I0(x) - x, to 2e-7 (Abramowitz and Stegun, 9.8.1 and 9.8.2).
+double log_scaled_i0(double x) {
+  if (x < 3.75) {
+    const double t = (x / 3.75) * (x / 3.75);
+    return std::log(
+               1.0 +
+               t * (3.5156229 +
+                    t * (3.0899424 +
+                         t * (1.2067492 +
+                              t * (0.2659732 + t * (0.0360768 + t * 0.0045813)))))) -
+           x;
+  }
+  const double t = 3.75 / x;
+  const double p =
+      0.39894228 +
+      t * (0.01328592 +
+           t * (0.00225319 +
+                t * (-0.00157565 +
+                     t * (0.00916281 +
+                          t * (-0.02057706 +
+                               t * (0.02635537 +
+                                    t * (-0.01647633 + t * 0.00392377)))))));
+  return std::log(p) - 0.5 * std::log(x);
+}
+
+/// The mean resultant I1(x) / I0(x), by Gauss's continued fraction, or for large x by
+/// its asymptotic series, to 3e-8.
+double mean_resultant(double x) {
+  if (x > 50.0)
+    return 1.0 - 0.5 / x - 0.125 / (x * x) - 0.125 / (x * x * x);
+  double fraction = 0.0;
+  for (int k = 100; k >= 1; --k)
+    fraction = 1.0 / (2.0 * k / x + fraction);
+  return fraction;
+}
+
+/// Returns kappa with this mean resultant, 0 <= r <= 1.
+double kappa_of(double r) {
+  if (!(r < 1.0) || 0.5 / (1.0 - r) > largest_kappa)
+    return largest_kappa;
+  if (r < 1e-8)
+    return 2.0 * r;
+  double low = 0.0, high = std::min(largest_kappa, 2.0 / (1.0 - r));
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (mean_resultant(middle) < r ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// A component in the doubled angle.
+struct Component {
+  double mean = 0.0, kappa = 1.0, weight = 1.0;
+
+  /// The logarithm of the factor of exp(kappa (cos - 1)), with the weight.
+  double log_factor() const {
+    return std::log(weight / (2.0 * pi)) - log_scaled_i0(kappa);
+  }
+  double log_shape(double angle) const {
+    return kappa * (std::cos(angle - mean) - 1.0);
+  }
+};
+
+class Expectation {
+ public:
+  explicit Expectation(const std::vector<double>& degrees) {
+    for (const double one : degrees)
+      angles_.push_back(2.0 * one * pi / 180.0);
+  }
+
+  /// Improves the components until the likelihood hardly grows.
+  double improve(std::vector<Component>& components) {
+    constexpr int most_rounds = 500;
+    constexpr double enough = 1e-7;  // relative to the number of directions
+    double last = -HUGE_VAL;
+    for (int round = 0; round < most_rounds; ++round) {
+      const double now = expect(components);
+      if (now - last < enough * static_cast<double>(angles_.size()))
+        break;
+      last = now;
+      maximise(components);
+    }
+    return expect(components);
+  }
+
+  /// Fills the probabilities of membership; returns the log likelihood.
+  double expect(const std::vector<Component>& components) {
+    const std::size_t k = components.size();
+    probability_.resize(angles_.size() * k);
+    std::vector<double> factors;
+    for (const Component& one : components)
+      factors.push_back(one.log_factor());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < angles_.size(); ++i) {
+      double* const p = probability_.data() + i * k;
+      double most = -HUGE_VAL;
+      for (std::size_t c = 0; c < k; ++c) {
+        p[c] = factors[c] + components[c].log_shape(angles_[i]);
+        most = std::max(most, p[c]);
+      }
+      double total = 0.0;
+      for (std::size_t c = 0; c < k; ++c)
+        total += p[c] = std::exp(p[c] - most);
+      for (std::size_t c = 0; c < k; ++c)
+        p[c] /= total;
+      sum += most + std::log(total);
+    }
+    return sum;
+  }
+
+  double entropy() const {
+    double sum = 0.0;
+    for (const double p : probability_)
+      sum -= p > 0.0 ? p * std::log(p) : 0.0;
+    return sum;
+  }
+  int member(std::size_t i, std::size_t k) const {
+    const double* const p = probability_.data() + i * k;
+    return static_cast<int>(std::max_element(p, p + k) - p);
+  }
+  const std::vector<double>& angles() const { return angles_; }
+
+  /// Where the directions are most numerous compared with the mixture.
+  double least_explained(const std::vector<Component>& components) const {
+    constexpr int places = 90;
+    constexpr double width = 2.0 * pi / places;
+    std::array<double, places> seen{};
+    for (const double angle : angles_) {
+      const double turn = angle / (2.0 * pi);
+      const double place = (turn - std::floor(turn)) * places;
+      seen[static_cast<std::size_t>(place) % places] +=
+          1.0 / static_cast<double>(angles_.size());
+    }
+    int best = 0;
+    double most = -HUGE_VAL;
+    for (int k = 0; k < places; ++k) {
+      double excess = 0.0;
+      for (int near = -2; near <= 2; ++near) {
+        const int at = (k + near + places) % places;
+        double density = 0.0;
+        for (const Component& one : components)
+          density += std::exp(one.log_factor() + one.log_shape((at + 0.5) * width));
+        excess += seen[static_cast<std::size_t>(at)] - density * width;
+      }
+      if (excess > most)
+        most = excess, best = k;
+    }
+    return (best + 0.5) * width;
+  }
+
+ private:
+  void maximise(std::vector<Component>& components) {
+    const std::size_t k = components.size();
+    for (std::size_t c = 0; c < k; ++c) {
+      double weight = 0.0, x = 0.0, y = 0.0;
+      for (std::size_t i = 0; i < angles_.size(); ++i) {
+        const double p = probability_[i * k + c];
+        weight += p;
+        x += p * std::cos(angles_[i]);
+        y += p * std::sin(angles_[i]);
+      }
+      constexpr double least_weight = 1e-9;  // an empty component stays where it is
+      components[c].weight =
+          std::max(weight / static_cast<double>(angles_.size()), least_weight);
+      if (weight > least_weight) {
+        components[c].mean = std::atan2(y, x);
+        components[c].kappa = kappa_of(std::hypot(x, y) / weight);
+      }
+    }
+  }
+
+  std::vector<double> angles_;
+  std::vector<double> probability_;  ///< of each direction and component
+};
+
+/// Adds a component to a mixture. It begins where the mixture explains least, with
+/// several concentrations; another start has evenly spaced components. The best counts.
+std::vector<Component> with_one_more(Expectation& all,
+                                     const std::vector<Component>& fewer) {
+  const std::size_t k = fewer.size() + 1;
+  std::vector<Component> best;
+  double most = -HUGE_VAL;
+  const auto attempt = [&](std::vector<Component> start) {
+    const double now = all.improve(start);
+    if (now > most)
+      most = now, best = std::move(start);
+  };
+  if (k > 1) {
+    constexpr double part = 0.2;
+    const double place = all.least_explained(fewer);
+    for (const double kappa : {2.0, 20.0, 200.0}) {
+      std::vector<Component> start = fewer;
+      for (Component& one : start)
+        one.weight *= 1.0 - part;
+      start.push_back({place, kappa, part});
+      attempt(std::move(start));
+    }
+  }
+  std::vector<Component> even;
+  for (std::size_t c = 0; c < k; ++c)
+    even.push_back({2.0 * pi * static_cast<double>(c) / static_cast<double>(k), 4.0,
+                    1.0 / static_cast<double>(k)});
+  attempt(std::move(even));
+  return best;
+}
+
+double degrees_of(double doubled) {
+  double degrees = 0.5 * doubled * 180.0 / pi;
+  degrees -= 180.0 * std::floor(degrees / 180.0);
+  return degrees < 180.0 ? degrees : 0.0;
+}
+
+Mixture mixture_of(Expectation& all, const std::vector<Component>& components) {
+  const auto n = static_cast<double>(all.angles().size());
+  const std::size_t k = components.size();
+  Mixture mixture;
+  mixture.log_likelihood = k == 0 ? -n * std::log(2.0 * pi) : all.expect(components);
+  const double parameters = k == 0 ? 0.0 : 3.0 * static_cast<double>(k) - 1.0;
+  mixture.bic = parameters * std::log(std::max(n, 1.0)) - 2.0 * mixture.log_likelihood;
+  mixture.icl = mixture.bic + (k == 0 ? 0.0 : 2.0 * all.entropy());
+  std::vector<std::size_t> order(k);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return degrees_of(components[a].mean) < degrees_of(components[b].mean);
+  });
+  std::vector<int> place(k);
+  for (std::size_t c = 0; c < k; ++c) {
+    const Component& one = components[order[c]];
+    mixture.families.push_back({degrees_of(one.mean), one.kappa, one.weight});
+    place[order[c]] = static_cast<int>(c);
+  }
+  for (std::size_t i = 0; i < all.angles().size(); ++i)
+    mixture.member.push_back(
+        k == 0 ? -1 : place[static_cast<std::size_t>(all.member(i, k))]);
+  return mixture;
+}
+
+}  // namespace
+
+Mixture fit_mixture(const std::vector<double>& degrees, int k) {
+  Expectation all(degrees);
+  std::vector<Component> components;
+  while (static_cast<int>(components.size()) < k)
+    components = with_one_more(all, components);
+  return mixture_of(all, components);
+}
+
+Mixture find_families(const std::vector<double>& degrees, int most, int* by_bic) {
+  Expectation all(degrees);
+  std::vector<Component> components;
+  Mixture best = mixture_of(all, components);
+  double least_bic = best.bic;
+  if (by_bic != nullptr)
+    *by_bic = 0;
+  // Three numbers describe a component, so it needs more directions than that.
+  constexpr std::size_t fewest = 4;
+  for (int k = 1; k <= most && degrees.size() >= fewest * static_cast<std::size_t>(k);
+       ++k) {
+    components = with_one_more(all, components);
+    Mixture one = mixture_of(all, components);
+    if (one.bic < least_bic) {
+      least_bic = one.bic;
+      if (by_bic != nullptr)
+        *by_bic = k;
+    }
+    if (one.icl < best.icl)
+      best = std::move(one);
+  }
+  return best;
+}
+
+}  // namespace blocks::joints

@@ -1,0 +1,40 @@
+// Families of directions: a mixture of von Mises laws of axes
+// (docs/joint-statistics.md#families).
+#pragma once
+
+#include <vector>
+
+namespace blocks::joints {
+
+/// One component: the doubled angle has the von Mises law
+/// exp(kappa cos 2(a - mean)) / (2 pi I0(kappa)).
+struct Family {
+  double mean = 0.0;    ///< degrees from x, 0 <= mean < 180
+  double kappa = 0.0;   ///< concentration, 0: isotropic
+  double weight = 1.0;  ///< part of the traces, 0 to 1
+};
+
+/// A mixture, and which component each direction belongs to.
+struct Mixture {
+  std::vector<Family> families;  ///< by ascending mean; none: directions are isotropic
+  std::vector<int> member;       ///< family of each direction, from 0; -1 if isotropic
+  double log_likelihood = 0.0;   ///< of the directions, per radian of the doubled angle
+  double bic = 0.0;              ///< (3 k - 1) ln n - 2 log_likelihood
+  /// bic + 2 sum -p ln p over the probabilities p of membership (Biernacki, Celeux and
+  /// Govaert 2000). Families that cannot be told apart make it larger.
+  double icl = 0.0;
+};
+
+/// The largest number of families.
+inline constexpr int most_families = 6;
+
+/// Fits k components by expectation and maximisation, k >= 0. The result depends on
+/// nothing but the directions.
+Mixture fit_mixture(const std::vector<double>& degrees, int k);
+
+/// Fits 0 to `most` components, and returns the fit with the smallest icl. `by_bic`, if
+/// not null, receives the number of components that the bic would choose.
+Mixture find_families(const std::vector<double>& degrees, int most = most_families,
+                      int* by_bic = nullptr);
+
+}  // namespace blocks::joints

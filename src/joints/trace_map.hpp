@@ -1,0 +1,32 @@
+// A map of fracture traces: polylines and the window in which they were mapped.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/cut.hpp"
+
+namespace blocks::joints {
+
+/// Traces as they were mapped or generated, and the window that was mapped.
+struct TraceMap {
+  std::string name;                            ///< for tables and messages
+  std::vector<geometry::DecimalPoint> window;  ///< [L] simple and clockwise
+  /// Straight pieces of all traces. The id of a piece is the number of its trace, from
+  /// 1; the pieces of a polyline follow each other.
+  std::vector<geometry::JointSegment> segments;
+  int traces = 0;  ///< number of traces, the largest id
+};
+
+/// Returns the bounding box of all traces as a window. Throws std::runtime_error if it
+/// has no area.
+std::vector<geometry::DecimalPoint>
+box_window(const std::vector<geometry::JointSegment>& segments);
+
+/// Joins ends that a map has left loose. Ends that stop short of another trace by at
+/// most `snap` [L] along their trace are prolonged to it exactly (geometry::prolonged).
+/// Ends that overshoot are cut by the Network instead. Returns the number of prolonged
+/// ends.
+std::size_t close_gaps(TraceMap& map, const geometry::Decimal& snap);
+
+}  // namespace blocks::joints
