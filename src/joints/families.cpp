@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "joints/family_merging.hpp"
+
 namespace blocks::joints {
 namespace {
 
@@ -124,12 +126,6 @@ class Expectation {
     return sum;
   }
 
-  double entropy() const {
-    double sum = 0.0;
-    for (const double p : probability_)
-      sum -= p > 0.0 ? p * std::log(p) : 0.0;
-    return sum;
-  }
   int member(std::size_t i, std::size_t k) const {
     const double* const p = probability_.data() + i * k;
     return static_cast<int>(std::max_element(p, p + k) - p);
@@ -233,7 +229,7 @@ Mixture mixture_of(Expectation& all, const std::vector<Component>& components) {
   mixture.log_likelihood = k == 0 ? -n * std::log(2.0 * pi) : all.expect(components);
   const double parameters = k == 0 ? 0.0 : 3.0 * static_cast<double>(k) - 1.0;
   mixture.bic = parameters * std::log(std::max(n, 1.0)) - 2.0 * mixture.log_likelihood;
-  mixture.icl = mixture.bic + (k == 0 ? 0.0 : 2.0 * all.entropy());
+  mixture.components = static_cast<int>(k);
   std::vector<std::size_t> order(k);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -251,6 +247,39 @@ Mixture mixture_of(Expectation& all, const std::vector<Component>& components) {
   return mixture;
 }
 
+/// Joins components, and describes the families by their members.
+Mixture joined(Mixture mixture, const std::vector<double>& degrees) {
+  const std::vector<int> member = merge_families(degrees, mixture.member);
+  const auto count =
+      static_cast<std::size_t>(1 + *std::max_element(member.begin(), member.end()));
+  std::vector<Family> families(count);
+  std::vector<double> n(count), x(count), y(count);
+  for (std::size_t i = 0; i < member.size(); ++i) {
+    const auto k = static_cast<std::size_t>(member[i]);
+    n[k] += 1.0;
+    x[k] += std::cos(degrees[i] * pi / 90.0);
+    y[k] += std::sin(degrees[i] * pi / 90.0);
+  }
+  for (std::size_t k = 0; k < count; ++k)
+    families[k] = {degrees_of(std::atan2(y[k], x[k])),
+                   kappa_of(std::hypot(x[k], y[k]) / n[k]),
+                   n[k] / static_cast<double>(member.size())};
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return families[a].mean < families[b].mean;
+  });
+  mixture.families.clear();
+  std::vector<int> place(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    place[order[k]] = static_cast<int>(k);
+    mixture.families.push_back(families[order[k]]);
+  }
+  for (std::size_t i = 0; i < member.size(); ++i)
+    mixture.member[i] = place[static_cast<std::size_t>(member[i])];
+  return mixture;
+}
+
 }  // namespace
 
 Mixture fit_mixture(const std::vector<double>& degrees, int k) {
@@ -261,28 +290,19 @@ Mixture fit_mixture(const std::vector<double>& degrees, int k) {
   return mixture_of(all, components);
 }
 
-Mixture find_families(const std::vector<double>& degrees, int most, int* by_bic) {
+Mixture find_families(const std::vector<double>& degrees, int most) {
   Expectation all(degrees);
   std::vector<Component> components;
   Mixture best = mixture_of(all, components);
-  double least_bic = best.bic;
-  if (by_bic != nullptr)
-    *by_bic = 0;
   // Three numbers describe a component, so it needs more directions than that.
   constexpr std::size_t fewest = 4;
   for (int k = 1; k <= most && degrees.size() >= fewest * static_cast<std::size_t>(k);
        ++k) {
     components = with_one_more(all, components);
-    Mixture one = mixture_of(all, components);
-    if (one.bic < least_bic) {
-      least_bic = one.bic;
-      if (by_bic != nullptr)
-        *by_bic = k;
-    }
-    if (one.icl < best.icl)
+    if (Mixture one = mixture_of(all, components); one.bic < best.bic)
       best = std::move(one);
   }
-  return best;
+  return best.components > 0 ? joined(std::move(best), degrees) : best;
 }
 
 }  // namespace blocks::joints

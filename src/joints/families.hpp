@@ -20,9 +20,7 @@ struct Mixture {
   std::vector<int> member;       ///< family of each direction, from 0; -1 if isotropic
   double log_likelihood = 0.0;   ///< of the directions, per radian of the doubled angle
   double bic = 0.0;              ///< (3 k - 1) ln n - 2 log_likelihood
-  /// bic + 2 sum -p ln p over the probabilities p of membership (Biernacki, Celeux and
-  /// Govaert 2000). Families that cannot be told apart make it larger.
-  double icl = 0.0;
+  int components = 0;            ///< k, before any were joined
 };
 
 /// The largest number of families.
@@ -32,9 +30,8 @@ inline constexpr int most_families = 6;
 /// nothing but the directions.
 Mixture fit_mixture(const std::vector<double>& degrees, int k);
 
-/// Fits 0 to `most` components, and returns the fit with the smallest icl. `by_bic`, if
-/// not null, receives the number of components that the bic would choose.
-Mixture find_families(const std::vector<double>& degrees, int most = most_families,
-                      int* by_bic = nullptr);
+/// Fits 0 to `most` components and takes the fit with the smallest bic. Components that
+/// describe one family are then joined (merge_families).
+Mixture find_families(const std::vector<double>& degrees, int most = most_families);
 
 }  // namespace blocks::joints

@@ -207,6 +207,8 @@ class Counter {
     if (ends.size() >= 2) {
       piece.from = graph_.nodes[at(ends.front())].place;
       piece.to = graph_.nodes[at(ends.back())].place;
+      piece.from_hidden = graph_.nodes[at(ends.front())].on_window;
+      piece.to_hidden = graph_.nodes[at(ends.back())].on_window;
       along = piece.to - piece.from;
     } else {
       piece.from = piece.to = network_.parts.back().from;

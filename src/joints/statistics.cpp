@@ -87,8 +87,7 @@ MapStatistics statistics_of(const TraceMap& map, const StatisticsOptions& option
   std::vector<double> directions;
   for (const Piece& piece : network.pieces)
     directions.push_back(piece.direction);
-  found.mixture =
-      find_families(directions, options.most_families, &found.families_by_bic);
+  found.mixture = find_families(directions, options.most_families);
   for (std::size_t k = 0; k < found.mixture.families.size(); ++k)
     found.families.push_back(family_statistics(network, found.mixture, k));
   const auto along = [&](double degrees) {

@@ -49,7 +49,6 @@ struct MapStatistics {
   TraceDensity density;
   FittedLaw exponential, lognormal;
   Mixture mixture;
-  int families_by_bic = 0;
   std::vector<FamilyStatistics> families;    ///< by ascending direction
   SpacingStatistics along_x, along_y;        ///< of all traces, along 0 and 90 degrees
   std::vector<SpacingStatistics> scanlines;  ///< as in the options

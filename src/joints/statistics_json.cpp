@@ -92,7 +92,7 @@ ordered_json json_of(const MapStatistics& map) {
                          {"density", json_of(map.density)},
                          {"exponential", json_of(map.exponential)},
                          {"lognormal", json_of(map.lognormal)}}},
-                       {"families_by_bic", map.families_by_bic}};
+                       {"components_by_bic", map.mixture.components}};
   json["families"] = ordered_json::array();
   for (const FamilyStatistics& one : map.families)
     json["families"].push_back(json_of(one));

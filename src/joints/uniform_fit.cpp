@@ -57,8 +57,8 @@ UniformFit fit_uniform(const UniformSample& sample) {
   const double least = *low, most = *high, range = most - least;
   if (range <= sample.resolution) {
     const double middle = 0.5 * (least + most);
-    fit.mean = {middle, middle, middle};
-    fit.half_range = {0.0, 0.0, 0.0};
+    fit.mean = {middle, middle - sample.resolution, middle + sample.resolution};
+    fit.half_range = {0.0, 0.0, sample.resolution};
     fit.log_evidence = HUGE_VAL;
     return fit;
   }

@@ -1,0 +1,323 @@
+#include "joints/set_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "joints/mean_length.hpp"
+#include "joints/spacing_fit.hpp"
+#include "joints/track_search.hpp"
+#include "joints/uniform_fit.hpp"
+#include "joints/window.hpp"
+
+namespace blocks::joints {
+namespace {
+
+using geometry::JointLaw;
+using geometry::Vec2;
+
+constexpr double root_three = 1.7320508075688772;
+
+double half_turn(double degrees) {
+  return degrees - 180.0 * std::round(degrees / 180.0);
+}
+
+Estimate exactly(double value) { return {value, value, value}; }
+
+Estimate scaled(const Estimate& one, double factor) {
+  return {one.value * factor, one.low * factor, one.high * factor};
+}
+
+/// Mean and half range of directions.
+struct Directions {
+  Estimate mean, half_range;
+};
+
+/// Directions near `middle`, an estimate of their mean. If they look uniform, the
+/// interval is that of the uniform law; otherwise the half range has the deviation of
+/// the sample.
+Directions directions_of(const std::vector<Piece>& pieces, double middle) {
+  const auto n = static_cast<double>(pieces.size());
+  UniformSample uniform;
+  uniform.resolution = 1e-6;  // degrees
+  uniform.least = -HUGE_VAL;
+  double mean = 0.0, squares = 0.0, fourths = 0.0;
+  for (const Piece& piece : pieces) {
+    uniform.values.push_back(half_turn(piece.direction - middle));
+    mean += uniform.values.back() / n;
+  }
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const double one : uniform.values) {
+    const double square = (one - mean) * (one - mean);
+    squares += square / n, fourths += square * square / n;
+    least = std::min(least, one), most = std::max(most, one);
+  }
+  Directions found;
+  const auto is_uniform = [&] {  // of two laws with two parameters, the likelier one
+    return -n * std::log(most - least) >
+           -0.5 * n * (1.0 + std::log(2.0 * 3.14159265358979323846 * squares));
+  };
+  if (most - least <= uniform.resolution || is_uniform()) {
+    const UniformFit fit = fit_uniform(uniform);
+    found = {fit.mean, fit.half_range};
+  } else if (pieces.size() > 2) {
+    const double deviation = std::sqrt(squares * n / (n - 1.0));
+    const double t = boost::math::quantile(boost::math::students_t(n - 1.0),
+                                           0.5 * (1.0 + confidence));
+    const double off = t * deviation / std::sqrt(n);
+    found.mean = {mean, mean - off, mean + off};
+    const double half = root_three * deviation;
+    const double error =
+        0.5 * half * std::sqrt(std::max(fourths / (squares * squares) - 1.0, 0.0) / n);
+    found.half_range = {half, std::max(half - t * error, 0.0), half + t * error};
+  } else {
+    found.mean = {mean, unknown, unknown};
+    found.half_range = exactly(0.0);
+  }
+  found.mean.value += middle, found.mean.low += middle, found.mean.high += middle;
+  return found;
+}
+
+class SetFitter {
+ public:
+  SetFitter(const Network& network, double shortest, std::vector<char> chosen)
+      : network_(network), shortest_(shortest), chosen_(std::move(chosen)) {
+    for (std::size_t i = 0; i < network.pieces.size(); ++i)
+      if (chosen_[i] != 0)
+        pieces_.push_back(network.pieces[i]);
+    sample_ = length_sample(pieces_, network.window);
+    truncated_ = length_sample(pieces_, network.window, shortest);
+    density_ = trace_density(pieces_, network.window);
+    fit_.pieces = pieces_.size();
+    fit_.p21 = density_.p21.value;
+  }
+
+  SetFit family(int id, const Family& family) {
+    fit_.id = id;
+    fit_.family = family;
+    const Directions directions = directions_of(pieces_, family.mean);
+    fit_.dip = directions.mean;
+    fit_.ddev = directions.half_range;
+    constexpr double most_deviation = 89.0;  // JSET takes less than 90
+    if (fit_.ddev.value > most_deviation)
+      fit_.ddev.value = most_deviation;
+    if (runs_through())
+      fit_through();
+    else
+      fit_traces();
+    place_start();
+    return std::move(fit_);
+  }
+
+  /// Lines in all directions.
+  SetFit isotropic() {
+    fit_.law = JointLaw::poisson;
+    fit_.dip = fit_.ddev = exactly(0.0);
+    fit_.sdev = fit_.trace = fit_.tdev = fit_.gap = fit_.gdev = exactly(0.0);
+    const Estimate& p21 = density_.p21;
+    fit_.space = {1.0 / p21.value, 1.0 / p21.high, 1.0 / p21.low};
+    note("directions have no families: POISSON makes lines in all directions");
+    if (!runs_through()) {
+      fit_lengths();
+      fit_gaps_by_density();
+    }
+    fit_.start = middle_of(network_.window);
+    return std::move(fit_);
+  }
+
+ private:
+  void note(const std::string& words) { fit_.notes.push_back(words); }
+
+  /// Whether joints are much longer than the window, so that it does not tell their
+  /// length.
+  bool runs_through() const {
+    double hidden = 0.0, visible = 0.0;
+    for (const Piece& piece : pieces_) {
+      hidden += piece.hidden;
+      visible += 2 - piece.hidden;
+    }
+    constexpr double much = 10.0;  // mean length over mean chord
+    return hidden > much * visible;
+  }
+
+  void fit_through() {
+    fit_.trace = fit_.tdev = fit_.gap = fit_.gdev = exactly(0.0);
+    const double size = std::sqrt(network_.area);
+    const SpacingSample sample =
+        spacings_across(network_, chosen_, fit_.dip.value, 1e-6 * size);
+    if (sample.tracks == 0) {
+      // All joints pass beside the middle of the window.
+      fit_.space = {1.0 / density_.p21.value, 1.0 / density_.p21.high,
+                    1.0 / density_.p21.low};
+      fit_.sdev = exactly(0.0);
+      note("no joint crosses the middle of the window: space is 1 / P21");
+      return;
+    }
+    take(fit_spacing(sample));
+    if (sample.spacings.size() < 5)
+      note(fmt::format("only {} spacings were seen", sample.spacings.size()));
+  }
+
+  void take(const SpacingFit& spacing) {
+    fit_.law = spacing.exponential ? JointLaw::negexp : JointLaw::uniform;
+    fit_.space = spacing.mean;
+    fit_.sdev = spacing.half_range;
+  }
+
+  void fit_traces() {
+    fit_lengths();
+    const Tracks tracks = find_tracks(pieces_, network_.window, fit_.dip.value,
+                                      fit_.ddev.value / root_three);
+    if (!tracks.found) {
+      fit_gaps_by_density();
+      return;
+    }
+    take(fit_spacing(tracks.spacing));
+    const UniformFit gaps = fit_gaps(tracks.gaps);
+    if (std::isfinite(gaps.mean.value)) {
+      fit_.gap = gaps.mean;
+      fit_.gdev = gaps.half_range;
+      return;
+    }
+    // Too few gaps: what the density leaves.
+    const double gap =
+        std::max(1.0 / (density_.p20.value * fit_.space.value) - fit_.trace.value, 0.0);
+    fit_.gap = {gap, unknown, unknown};
+    fit_.gdev = exactly(0.0);
+    note("too few gaps were seen: gap follows from P20, and gdev is 0");
+  }
+
+  UniformFit fit_gaps(const LengthSample& seen) const {
+    UniformSample gaps;
+    gaps.values = seen.complete;
+    gaps.resolution = 1e-6 * fit_.trace.value;
+    LengthSample others;
+    others.one_hidden = seen.one_hidden;
+    const std::size_t n = seen.complete.size() + seen.one_hidden.size();
+    gaps.other_factors = [&, n, others](double a, double b) {
+      return cut_factors(others, n, a, b, sample_.area, sample_.width);
+    };
+    return fit_uniform(gaps);
+  }
+
+  /// The factors of the likelihood of a uniform law of n lengths besides those of the
+  /// complete ones.
+  static double cut_factors(const LengthSample& cut, std::size_t n, double a, double b,
+                            double area, double width, double shortest = 0.0) {
+    const LengthLaw law{LengthForm::uniform, 0.5 * (a + b), 0.5 * (b - a)};
+    double sum = 0.0;
+    for (const double y : cut.one_hidden)
+      sum += law.log_survival(y);
+    for (const double z : cut.both_hidden)
+      sum += law.log_excess(z);
+    return sum - static_cast<double>(n) *
+                     std::log(std::exp(law.log_survival(shortest)) * area +
+                              std::exp(law.log_excess(shortest)) * width);
+  }
+
+  /// The evidence of exponential lengths, as fit_uniform defines it.
+  double exponential_evidence(const FittedLaw& fitted) const {
+    constexpr int cells = 400;
+    constexpr double reach = 3.0;  // powers of e about the best mean
+    double sum = 0.0;
+    for (int k = 0; k < cells; ++k) {
+      const double power = reach * (2.0 * (k + 0.5) / cells - 1.0);
+      const LengthLaw law{LengthForm::exponential, fitted.law.mean * std::exp(power),
+                          0.0};
+      sum += std::exp(truncated_.log_likelihood(law) - fitted.log_likelihood);
+    }
+    return fitted.log_likelihood + std::log(sum * 2.0 * reach / cells);
+  }
+
+  void fit_lengths() {
+    constexpr std::size_t fewest = 3;
+    if (truncated_.complete.size() < fewest) {
+      fit_.trace = density_.by_ends;
+      fit_.tdev = exactly(0.0);
+      note("fewer than three traces are complete: trace is P21 / P20, and tdev is 0");
+      return;
+    }
+    const FittedLaw exponential = fit_length_law(LengthForm::exponential, truncated_);
+    UniformSample lengths;
+    lengths.values = truncated_.complete;
+    lengths.resolution = 1e-6 * exponential.law.mean;
+    lengths.other_factors = [&](double a, double b) {
+      return cut_factors(truncated_, truncated_.size(), a, b, truncated_.area,
+                         truncated_.width, shortest_);
+    };
+    const UniformFit uniform = fit_uniform(lengths);
+    if (uniform.log_evidence > exponential_evidence(exponential)) {
+      fit_.trace = uniform.mean;
+      fit_.tdev = uniform.half_range;
+      return;
+    }
+    constexpr double widest = 0.95;  // JSET takes less than 1
+    fit_.trace = exponential.mean;
+    fit_.tdev = scaled(exponential.mean, widest);
+    note("lengths look exponential, and JSET's are uniform: mean and P21 are kept");
+  }
+
+  /// Without tracks, the map tells only how many traces there are per area.
+  void fit_gaps_by_density() {
+    fit_.gap = fit_.gdev = {fit_.trace.value, unknown, unknown};
+    const Estimate& p20 = density_.p20;
+    if (fit_.law != JointLaw::poisson) {
+      fit_.law = JointLaw::negexp;
+      fit_.sdev = exactly(0.0);
+    }
+    const double stretch = 2.0 * fit_.trace.value;
+    // POISSON: length per area 1 / space of the lines, of which traces are a half.
+    fit_.space = {1.0 / (p20.value * stretch), unknown, unknown};
+    note("traces do not lie on tracks: gap is chosen like trace, and space follows "
+         "from P20");
+  }
+
+  /// The start is beside the window, so that the first track is random inside, and at
+  /// its middle along the tracks, because lines turn about the start.
+  void place_start() {
+    const Vec2 along = unit_vector(fit_.dip.value), across(-along.y(), along.x());
+    const Vec2 middle = middle_of(network_.window);
+    double beside = 0.0;
+    for (const Vec2& corner : network_.window)
+      beside = std::max(beside, across.dot(corner - middle));
+    fit_.start = middle + (beside + fit_.space.value) * across;
+  }
+
+  const Network& network_;
+  double shortest_;
+  std::vector<char> chosen_;
+  std::vector<Piece> pieces_;
+  LengthSample sample_, truncated_;
+  TraceDensity density_;
+  SetFit fit_;
+};
+
+}  // namespace
+
+NetworkFit fit_sets(const Network& network, double shortest, int most) {
+  NetworkFit fit;
+  std::vector<double> directions;
+  for (const Piece& piece : network.pieces)
+    directions.push_back(piece.direction);
+  const Mixture mixture = find_families(directions, most);
+  fit.components = mixture.components;
+  if (mixture.families.empty())
+    fit.sets.push_back(
+        SetFitter(network, shortest, std::vector<char>(network.pieces.size(), 1))
+            .isotropic());
+  for (std::size_t k = 0; k < mixture.families.size(); ++k) {
+    std::vector<char> chosen(network.pieces.size(), 0);
+    bool has_members = false;
+    for (std::size_t i = 0; i < network.pieces.size(); ++i)
+      if (mixture.member[i] == static_cast<int>(k))
+        chosen[i] = 1, has_members = true;
+    if (has_members)
+      fit.sets.push_back(
+          SetFitter(network, shortest, std::move(chosen))
+              .family(static_cast<int>(fit.sets.size()) + 1, mixture.families[k]));
+  }
+  return fit;
+}
+
+}  // namespace blocks::joints

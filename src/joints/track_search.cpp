@@ -1,0 +1,223 @@
+#include "joints/track_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "joints/scanlines.hpp"
+#include "joints/window.hpp"
+
+namespace blocks::joints {
+namespace {
+
+using geometry::Vec2;
+
+/// A piece in the coordinates of its family: along and across the mean direction.
+struct Placed {
+  double begin = 0.0, end = 0.0;    ///< [L] along
+  double across = 0.0;              ///< [L] of the middle
+  bool begins = true, ends = true;  ///< whether these ends are visible
+};
+
+/// The line across the mean direction, and a range of it.
+struct Frame {
+  Vec2 origin, along, across;
+
+  Frame(const Vec2& middle, double mean)
+      : origin(middle), along(unit_vector(mean)), across(-along.y(), along.x()) {}
+
+  Vec2 at(double offset) const { return origin + offset * across; }
+};
+
+double squared(double x) { return x * x; }
+
+/// The longest chord along the direction at an offset; 0 outside.
+double longest_chord(const geometry::Polygon& window, const Frame& frame,
+                     double offset) {
+  double longest = 0.0;
+  for (const auto& [begin, end] : chords(window, frame.at(offset), frame.along))
+    longest = std::max(longest, end - begin);
+  return longest;
+}
+
+/// Returns the range of offsets around the longest chord in which chords are at least
+/// half as long. Where the window is short, it may show nothing of a track.
+std::pair<double, double> range_of_offsets(const geometry::Polygon& window,
+                                           const Frame& frame) {
+  constexpr int steps = 400;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Vec2& corner : window) {
+    const double offset = frame.across.dot(corner - frame.origin);
+    low = std::min(low, offset), high = std::max(high, offset);
+  }
+  const auto offset = [&](int k) { return low + (high - low) * (k + 0.5) / steps; };
+  int best = 0;
+  double most = 0.0;
+  for (int k = 0; k < steps; ++k)
+    if (const double one = longest_chord(window, frame, offset(k)); one > most)
+      most = one, best = k;
+  int first = best, last = best;
+  while (first > 0 && longest_chord(window, frame, offset(first - 1)) >= 0.5 * most)
+    --first;
+  while (last + 1 < steps &&
+         longest_chord(window, frame, offset(last + 1)) >= 0.5 * most)
+    ++last;
+  const double half = 0.5 * (high - low) / steps;
+  return {offset(first) - half, offset(last) + half};
+}
+
+/// Returns the pieces placed in the frame, in the order of their offsets.
+std::vector<Placed> placed_in(const Frame& frame, const std::vector<Piece>& pieces) {
+  std::vector<Placed> placed;
+  for (const Piece& piece : pieces) {
+    double begin = frame.along.dot(piece.from - frame.origin);
+    double end = frame.along.dot(piece.to - frame.origin);
+    bool begins = !piece.from_hidden, ends = !piece.to_hidden;
+    if (begin > end) {
+      std::swap(begin, end);
+      std::swap(begins, ends);
+    }
+    placed.push_back({begin, end,
+                      frame.across.dot(0.5 * (piece.from + piece.to) - frame.origin),
+                      begins, ends});
+  }
+  std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    return a.across != b.across ? a.across < b.across : a.begin < b.begin;
+  });
+  return placed;
+}
+
+/// The expected error of the offset of a middle, from the error of the mean direction,
+/// and for cut traces from their own deviation.
+double blur_of(const std::vector<Placed>& placed, double deviation) {
+  const double radians = deviation * std::numbers::pi / 180.0;
+  const auto n = static_cast<double>(placed.size());
+  double far = 0.0, cut = 0.0, longest = 0.0;
+  for (const Placed& one : placed)
+    longest = std::max(longest, one.end - one.begin);
+  for (const Placed& one : placed) {
+    far += squared(0.5 * (one.begin + one.end)) / n;
+    if (!one.begins || !one.ends)
+      cut += squared(0.5 * (longest - (one.end - one.begin)) * radians) / n;
+  }
+  return std::sqrt(squared(radians) / n * far + cut);
+}
+
+void add_gaps(const std::vector<Placed>& track, const geometry::Polygon& window,
+              const Frame& frame, LengthSample& gaps, std::size_t& overlaps) {
+  for (std::size_t i = 0; i + 1 < track.size(); ++i) {
+    if (!track[i].ends || !track[i + 1].begins)
+      continue;
+    const double gap = track[i + 1].begin - track[i].end;
+    overlaps += gap < 0.0 ? 1U : 0U;
+    gaps.complete.push_back(std::max(gap, 0.0));
+  }
+  const auto parts = chords(window, frame.at(track.front().across), frame.along);
+  const auto add_cut = [&](double place, bool towards_begin) {
+    for (const auto& [begin, end] : parts)
+      if (place >= begin && place <= end)
+        gaps.one_hidden.push_back(towards_begin ? place - begin : end - place);
+  };
+  if (track.front().begins)
+    add_cut(track.front().begin, true);
+  if (track.back().ends)
+    add_cut(track.back().end, false);
+}
+
+}  // namespace
+
+Vec2 middle_of(const geometry::Polygon& window) {
+  Vec2 low = window.front(), high = low;
+  for (const Vec2& corner : window) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  return 0.5 * (low + high);
+}
+
+Tracks find_tracks(const std::vector<Piece>& pieces, const geometry::Polygon& window,
+                   double mean, double deviation) {
+  constexpr std::size_t fewest = 6;
+  Tracks tracks;
+  if (pieces.size() < fewest)
+    return tracks;
+  const Frame frame(middle_of(window), mean);
+  const std::vector<Placed> placed = placed_in(frame, pieces);
+  const auto [low, high] = range_of_offsets(window, frame);
+  // Middles of one track are within a few blurs of each other.
+  constexpr double rounding = 1e-9;
+  constexpr double blurs = 4.0;
+  const double reach =
+      std::max(blurs * blur_of(placed, deviation), rounding * (high - low));
+  std::vector<std::vector<Placed>> groups;
+  for (const Placed& one : placed)
+    if (groups.empty() || one.across - groups.back().back().across > reach)
+      groups.push_back({one});
+    else
+      groups.back().push_back(one);
+  std::size_t overlaps = 0, on_tracks = 0;
+  double last = 0.0;
+  SpacingSample& spacing = tracks.spacing;
+  spacing.length = high - low;
+  spacing.resolution = std::max(reach, 1e-6 * (high - low));
+  for (std::vector<Placed>& track : groups) {
+    double across = 0.0;
+    for (const Placed& one : track)
+      across += one.across / static_cast<double>(track.size());
+    if (across < low || across > high)
+      continue;
+    std::sort(track.begin(), track.end(),
+              [](const Placed& a, const Placed& b) { return a.begin < b.begin; });
+    add_gaps(track, window, frame, tracks.gaps, overlaps);
+    on_tracks += track.size();
+    if (spacing.tracks++ == 0)
+      spacing.beyond.push_back(across - low);
+    else
+      spacing.spacings.push_back(across - last);
+    last = across;
+  }
+  if (spacing.tracks < 3)
+    return tracks;
+  spacing.beyond.push_back(high - last);
+  const double mean_spacing = spacing.length / spacing.tracks;
+  constexpr double apart = 3.0, crowd = 1.5, few = 0.02;
+  tracks.found = mean_spacing > apart * reach &&
+                 static_cast<double>(on_tracks) > crowd * spacing.tracks &&
+                 static_cast<double>(overlaps) <=
+                     few * static_cast<double>(tracks.gaps.complete.size());
+  return tracks;
+}
+
+SpacingSample spacings_across(const Network& network, const std::vector<char>& chosen,
+                              double mean, double resolution) {
+  SpacingSample sample;
+  sample.resolution = resolution;
+  sample.lines = 0;
+  const Frame frame(middle_of(network.window), mean);
+  const auto parts = chords(network.window, frame.origin, frame.across);
+  if (parts.empty())
+    return sample;
+  const Scanline line{frame.origin + parts.front().first * frame.across,
+                      frame.origin + parts.back().second * frame.across};
+  const std::vector<Crossing> all = crossings_of(line, network);
+  for (const auto& [begin, end] : parts) {
+    const double from = begin - parts.front().first, to = end - parts.front().first;
+    sample.length += to - from;
+    double last = from;
+    int seen = 0;
+    for (const Crossing& one : all) {
+      if (chosen[one.piece] == 0 || one.place < from || one.place > to)
+        continue;
+      (seen++ == 0 ? sample.beyond : sample.spacings).push_back(one.place - last);
+      last = one.place;
+    }
+    sample.tracks += seen;
+    if (seen > 0) {
+      ++sample.lines;
+      sample.beyond.push_back(to - last);
+    }
+  }
+  return sample;
+}
+
+}  // namespace blocks::joints
