@@ -98,6 +98,7 @@ std::string operands_of(const LeafCommand& command) {
       {"export", "_blocks_files deck vtkhdf"},
       {"import", "_blocks_files"},
       {"joints statistics", "_blocks_files"},
+      {"joints fit", "_blocks_files"},
       {"report", "_blocks_files"},
       {"cards", "_blocks_words " + joined(deck::card_names())},
       {"sweep", "_blocks_files deck"},

@@ -248,6 +248,10 @@ int dispatch(std::vector<std::string> words) {
       "statistics", "count nodes, lengths, directions and spacings of traces");
   blocks::apps::add_joint_statistics_options(*joint_numbers, joints_options);
   add_set_option(*joint_numbers, sets);
+  auto* joint_fit =
+      joints->add_subcommand("fit", "propose joint sets for a map, as a deck");
+  blocks::apps::add_joint_fit_options(*joint_fit, joints_options);
+  add_set_option(*joint_fit, sets);
 
   blocks::apps::StudyOptions study_options;
   auto* study = app.add_subcommand("study", "measure how robust contact detection is");
@@ -318,6 +322,8 @@ int dispatch(std::vector<std::string> words) {
     return blocks::apps::export_blocks(export_options);
   if (*joint_numbers)
     return blocks::apps::joint_statistics(joints_options);
+  if (*joint_fit)
+    return blocks::apps::fit_joints(joints_options);
   if (*contacts)
     return blocks::apps::study_contacts(study_options);
   if (*study) {

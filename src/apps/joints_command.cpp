@@ -9,6 +9,7 @@
 #include <set>
 
 #include "fault.hpp"
+#include "joints/fit_report.hpp"
 #include "joints/statistics.hpp"
 #include "option_checks.hpp"
 #include "output/check_outputs.hpp"
@@ -36,18 +37,35 @@ joints::Scanline scanline_of(const std::string& text) {
 
 /// Checks the names of the outputs before the maps are read.
 void check_joint_outputs(const JointsOptions& options,
-                         const std::set<std::string>& endings,
-                         const std::string& endings_in_words) {
-  for (const std::string& path : options.outputs) {
-    if (!endings.contains(std::filesystem::path(path).extension().string()))
-      throw std::runtime_error("the output's name must end in " + endings_in_words +
-                               ", found '" + path + "'");
+                         const std::vector<std::string>& outputs) {
+  for (const std::string& path : outputs)
     for (const auto* inputs : {&options.input.files, &options.input.outlines})
       for (const std::string& input : *inputs)
         if (same_file(path, input))
           throw std::runtime_error("-o " + path + " would overwrite an input");
+  output::check_outputs(outputs);
+}
+
+/// Checks that names end as they must.
+void check_endings(const std::vector<std::string>& names,
+                   const std::set<std::string>& endings, const std::string& in_words) {
+  for (const std::string& name : names)
+    if (!endings.contains(std::filesystem::path(name).extension().string()))
+      throw std::runtime_error("the output's name must end in " + in_words +
+                               ", found '" + name + "'");
+}
+
+/// Calls the command. Reports what it throws, and returns the exit code.
+template <class Command> int guarded(const Command& command) {
+  try {
+    return command();
+  } catch (const geometry::CutError& fault) {
+    fmt::print(stderr, "blocks: error: {}, at ({:.6g}, {:.6g})\n  hint: {}\n",
+               fault.what(), fault.place.x(), fault.place.y(), fault.hint);
+    return run::deck_error;
+  } catch (const std::runtime_error& error) {
+    return tell_fault(error);
   }
-  output::check_outputs(options.outputs);
 }
 
 void add_input_options(CLI::App& command, MapInput& input) {
@@ -77,13 +95,12 @@ void add_shortest_option(CLI::App& command, double& shortest) {
 }
 
 /// Warns of what makes the counts of a map doubtful.
-void tell_doubts(const joints::MapStatistics& map) {
-  const joints::Network& network = map.network;
+void tell_doubts(const std::string& name, const joints::Network& network) {
   const auto warn = [&](std::size_t count, const std::string& what,
                         const std::string& hint) {
     if (count > 0)
-      fmt::print(stderr, "blocks: warning: {}: {} {}\n  hint: {}\n", map.name, count,
-                 what, hint);
+      fmt::print(stderr, "blocks: warning: {}: {} {}\n  hint: {}\n", name, count, what,
+                 hint);
   };
   warn(network.overlaps, "ends where a trace coincides with another one",
        "draw each trace once");
@@ -120,21 +137,40 @@ void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
   command.add_flag("--json", options.json, "print all numbers as JSON");
 }
 
+void add_joint_fit_options(CLI::App& command, JointsOptions& options) {
+  command
+      .add_option("INPUT", options.input.files,
+                  "a file of traces (GeoJSON, WKT, CSV), or a deck with one group "
+                  "OUTLINE ... CUT")
+      ->required()
+      ->expected(1);
+  add_input_options(command, options.input);
+  add_shortest_option(command, options.shortest);
+  command
+      .add_option("-o,--output", options.deck,
+                  "the deck to write (default: INPUT's name with _fit.deck, in this "
+                  "folder)")
+      ->type_name("NAME.deck");
+  command.add_flag("--json", options.json,
+                   "print all numbers as JSON instead of the table");
+}
+
 int joint_statistics(const JointsOptions& options) {
-  try {
+  return guarded([&] {
     joints::StatisticsOptions how;
     how.snap = options.input.snap;
     how.shortest = options.shortest;
     for (const std::string& line : options.scanlines)
       how.scanlines.push_back(scanline_of(line));
-    check_joint_outputs(options, {".json"}, ".json");
+    check_endings(options.outputs, {".json"}, ".json");
+    check_joint_outputs(options, options.outputs);
     const ReadMaps read = read_maps(options.input);
     if (read.code != run::done)
       return read.code;
     std::vector<joints::MapStatistics> maps;
     for (const joints::TraceMap& map : read.maps) {
       maps.push_back(joints::statistics_of(map, how));
-      tell_doubts(maps.back());
+      tell_doubts(map.name, maps.back().network);
     }
     for (const std::string& path : options.outputs) {
       write_text_file(path, joints::statistics_json(maps));
@@ -144,14 +180,40 @@ int joint_statistics(const JointsOptions& options) {
       std::cout << joints::statistics_json(maps);
     else if (options.outputs.empty())
       std::cout << joints::statistics_text(maps);
-    return run::done;
-  } catch (const geometry::CutError& fault) {
-    fmt::print(stderr, "blocks: error: {}, at ({:.6g}, {:.6g})\n  hint: {}\n",
-               fault.what(), fault.place.x(), fault.place.y(), fault.hint);
-    return run::deck_error;
-  } catch (const std::runtime_error& error) {
-    return tell_fault(error);
-  }
+    return static_cast<int>(run::done);
+  });
+}
+
+int fit_joints(const JointsOptions& options) {
+  return guarded([&] {
+    const std::string& input = options.input.files.front();
+    std::string deck = options.deck;
+    if (deck.empty())
+      deck = (input == "-" ? "joints" : std::filesystem::path(input).stem().string()) +
+             "_fit.deck";
+    check_endings({deck}, {".deck"}, ".deck");
+    check_joint_outputs(options, {deck});
+    const ReadMaps read = read_maps(options.input);
+    if (read.code != run::done)
+      return read.code;
+    if (read.maps.size() > 1)
+      throw std::runtime_error(fmt::format(
+          "{} has {} groups OUTLINE ... CUT, and one map is fitted\n  hint: "
+          "give a deck with one group",
+          input, read.maps.size()));
+    const joints::TraceMap& map = read.maps.front();
+    const joints::Network network = joints::network_of(map, options.input.snap);
+    if (network.pieces.empty())
+      throw std::runtime_error(map.name + ": no trace is inside the window\n  hint: "
+                                          "give traces and window in the same "
+                                          "coordinates");
+    tell_doubts(map.name, network);
+    const joints::NetworkFit fit = joints::fit_sets(network, options.shortest);
+    write_text_file(deck, joints::fit_deck(fit, map, network));
+    std::cout << (options.json ? joints::fit_json(fit, map)
+                               : joints::fit_text(fit) + "written: " + deck + "\n");
+    return static_cast<int>(run::done);
+  });
 }
 
 }  // namespace blocks::apps

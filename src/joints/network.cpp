@@ -201,6 +201,7 @@ class Counter {
       } else if (!cut_[at(end)] && place != given.first && place != given.second) {
         ++network_.overlaps;
       }
+      piece.connected += end_at(end) == End::connected ? 1 : 0;
     }
     piece.hidden = std::min(piece.hidden, 2);
     Vec2 along;

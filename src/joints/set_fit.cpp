@@ -165,7 +165,22 @@ class SetFitter {
     fit_.sdev = spacing.half_range;
   }
 
+  /// Says how many traces end at others, which the law of the set cannot reproduce.
+  void note_connected() {
+    double connected = 0.0, visible = 0.0;
+    for (const Piece& piece : pieces_) {
+      connected += piece.connected;
+      visible += 2 - piece.hidden;
+    }
+    constexpr double notable = 0.1;
+    if (connected > notable * visible)
+      note(fmt::format("{:.0f} % of the ends are at other traces; those of JSET are in "
+                       "the rock, unless `until` is given",
+                       100.0 * connected / visible));
+  }
+
   void fit_traces() {
+    note_connected();
     fit_lengths();
     const Tracks tracks = find_tracks(pieces_, network_.window, fit_.dip.value,
                                       fit_.ddev.value / root_three);

@@ -1,0 +1,149 @@
+// Joint sets recovered from the networks that they made. `./go validate` has no longer
+// form: this is the whole study of docs/joint-statistics.md, with fewer seeds.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "joints/set_fit.hpp"
+#include "tests/joints/maps.hpp"
+
+namespace blocks::joints {
+namespace {
+
+using geometry::JointLaw;
+using testing::generated;
+using testing::joint_set;
+using testing::rectangle;
+using testing::SetNumbers;
+
+struct Field {
+  const char* name;
+  Estimate SetFit::*fitted;
+  double SetNumbers::*given;
+};
+const std::vector<Field> fields = {{"dip", &SetFit::dip, &SetNumbers::dip},
+                                   {"ddev", &SetFit::ddev, &SetNumbers::ddev},
+                                   {"space", &SetFit::space, &SetNumbers::space},
+                                   {"sdev", &SetFit::sdev, &SetNumbers::sdev},
+                                   {"trace", &SetFit::trace, &SetNumbers::trace},
+                                   {"tdev", &SetFit::tdev, &SetNumbers::tdev},
+                                   {"gap", &SetFit::gap, &SetNumbers::gap},
+                                   {"gdev", &SetFit::gdev, &SetNumbers::gdev}};
+
+/// Fits 50 maps of the sets in a window of 40 x 30. Every field of every set must be
+/// covered in at least `least` of them: 47.5 are expected, and 41 are 4 deviations
+/// less.
+void expect_recovery(const std::vector<SetNumbers>& numbers, int least = 41) {
+  constexpr unsigned maps = 50;
+  std::map<std::string, int> covered;
+  int right = 0;
+  for (unsigned seed = 1; seed <= maps; ++seed) {
+    std::vector<geometry::JointSet> sets;
+    for (const SetNumbers& one : numbers)
+      sets.push_back(joint_set(one));
+    const NetworkFit fit =
+        fit_sets(network_of(generated(rectangle(40.0, 30.0), sets, seed)));
+    if (fit.sets.size() != numbers.size())
+      continue;
+    ++right;
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      for (const Field& field : fields) {
+        const Estimate& one = fit.sets[k].*field.fitted;
+        const double given = numbers[k].*field.given;
+        covered[fmt::format("{} of set {}", field.name, k + 1)] +=
+            one.low <= given && given <= one.high ? 1 : 0;
+      }
+  }
+  EXPECT_EQ(right, static_cast<int>(maps));
+  for (const auto& [name, count] : covered)
+    EXPECT_GE(count, least) << name;
+}
+
+TEST(SetFit, JointsThatRunThrough) {
+  expect_recovery(
+      {{30, 0, 2, .5, 0, 0, 0, 0, -25, 10}, {110, 0, 3, 1, 0, 0, 0, 0, 60, -10}});
+}
+
+TEST(SetFit, ExponentialSpacing) {
+  expect_recovery({{30, 0, 2, 0, 0, 0, 0, 0, -25, 10, JointLaw::negexp},
+                   {110, 0, 3, 0, 0, 0, 0, 0, 60, -10, JointLaw::negexp}});
+}
+
+TEST(SetFit, JointsThatTurnAboutTheMiddle) {
+  expect_recovery(
+      {{30, 3, 2, .5, 0, 0, 0, 0, 20, 15}, {110, 3, 3, 1, 0, 0, 0, 0, 20, 15}});
+}
+
+TEST(SetFit, TracesOnTracks) {
+  expect_recovery(
+      {{30, 0, 2, .5, 8, 2, 2, 1, -25, 10}, {110, 0, 3, 1, 6, 3, 3, 2, 60, -10}});
+}
+
+// The places of deviating traces on their tracks are blurred, which widens the range of
+// the spacings.
+TEST(SetFit, DeviatingTracesOnTracks) {
+  expect_recovery(
+      {{30, 4, 2, .5, 8, 2, 2, 1, -25, 10}, {110, 4, 3, 1, 6, 3, 3, 2, 60, -10}}, 36);
+}
+
+// Tracks at exponential distances are not told apart if traces deviate. Then the map
+// tells the length of the traces and their number per area, and the set keeps both.
+TEST(SetFit, WithoutTracksDensityAndLengthAreKept) {
+  const SetNumbers given{30, 6, 1.2, 0, 5, 2, 4, 3, -25, 10, JointLaw::negexp};
+  int without = 0;
+  double p20 = 0.0;
+  constexpr int maps = 30;
+  for (unsigned seed = 1; seed <= maps; ++seed) {
+    const NetworkFit fit = fit_sets(
+        network_of(generated(rectangle(40.0, 30.0), {joint_set(given)}, seed)));
+    ASSERT_EQ(fit.sets.size(), 1U);
+    const SetFit& set = fit.sets[0];
+    without += std::isnan(set.space.low) ? 1 : 0;
+    p20 += 1.0 / (set.space.value * (set.trace.value + set.gap.value)) / maps;
+    EXPECT_NEAR(set.trace.value, 5.0, 0.6);
+  }
+  EXPECT_GT(without, 25);
+  EXPECT_NEAR(p20, 1.0 / (1.2 * 9.0), 0.06 / (1.2 * 9.0));
+}
+
+// The traces of a fitted set have the length per area of the map.
+TEST(SetFit, AFitOfAFitHasTheSameDensity) {
+  const SetNumbers given{30, 6, 1.2, 0, 5, 2, 4, 3, -25, 10, JointLaw::negexp};
+  double map = 0.0, model = 0.0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const SetFit set =
+        fit_sets(network_of(generated(rectangle(40.0, 30.0), {joint_set(given)}, seed)))
+            .sets.at(0);
+    SetNumbers made{set.dip.value,   set.ddev.value, set.space.value, set.sdev.value,
+                    set.trace.value, set.tdev.value, set.gap.value,   set.gdev.value,
+                    set.start.x(),   set.start.y(),  set.law};
+    map += set.p21 / 20.0;
+    const Network again =
+        network_of(generated(rectangle(40.0, 30.0), {joint_set(made)}, seed + 1000));
+    model += again.length() / again.area / 20.0;
+  }
+  EXPECT_NEAR(model / map, 1.0, 0.06);
+}
+
+TEST(SetFit, LinesInAllDirectionsArePoisson) {
+  SetNumbers lines;
+  lines.space = 1.0;
+  lines.law = JointLaw::poisson;
+  lines.x0 = 20.0, lines.y0 = 15.0;
+  int poisson = 0, covered = 0;
+  constexpr int maps = 40;
+  for (unsigned seed = 1; seed <= maps; ++seed) {
+    const NetworkFit fit = fit_sets(
+        network_of(generated(rectangle(40.0, 30.0), {joint_set(lines)}, seed)));
+    if (fit.sets.size() != 1 || fit.sets[0].law != JointLaw::poisson)
+      continue;
+    ++poisson;
+    const Estimate& space = fit.sets[0].space;
+    covered += space.low <= 1.0 && 1.0 <= space.high ? 1 : 0;
+  }
+  EXPECT_GE(poisson, 32);
+  EXPECT_GE(covered, 0.8 * poisson);
+}
+
+}  // namespace
+}  // namespace blocks::joints
