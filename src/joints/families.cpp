@@ -47,23 +47,28 @@ double mean_resultant(double x) {
   if (x > 50.0)
     return 1.0 - 0.5 / x - 0.125 / (x * x) - 0.125 / (x * x * x);
   double fraction = 0.0;
-  for (int k = 100; k >= 1; --k)
+  for (int k = 15 + static_cast<int>(1.2 * x); k >= 1; --k)
     fraction = 1.0 / (2.0 * k / x + fraction);
   return fraction;
 }
 
-/// Returns kappa with this mean resultant, 0 <= r <= 1.
+/// Returns kappa with this mean resultant, 0 <= r <= 1: the approximation of Best and
+/// Fisher (1981), improved by Newton's method.
 double kappa_of(double r) {
   if (!(r < 1.0) || 0.5 / (1.0 - r) > largest_kappa)
     return largest_kappa;
   if (r < 1e-8)
     return 2.0 * r;
-  double low = 0.0, high = std::min(largest_kappa, 2.0 / (1.0 - r));
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (mean_resultant(middle) < r ? low : high) = middle;
+  double kappa = r < 0.53   ? 2.0 * r + r * r * r + 5.0 / 6.0 * std::pow(r, 5.0)
+                 : r < 0.85 ? -0.4 + 1.39 * r + 0.43 / (1.0 - r)
+                            : 1.0 / (r * r * r - 4.0 * r * r + 3.0 * r);
+  for (int i = 0; i < 4; ++i) {
+    const double a = mean_resultant(kappa);
+    const double slope = 1.0 - a / kappa - a * a;
+    if (slope > 0.0)
+      kappa = std::clamp(kappa - (a - r) / slope, 0.5 * kappa, 2.0 * kappa);
   }
-  return 0.5 * (low + high);
+  return std::min(kappa, largest_kappa);
 }
 
 /// A component in the doubled angle.
@@ -77,19 +82,30 @@ struct Component {
   double log_shape(double angle) const {
     return kappa * (std::cos(angle - mean) - 1.0);
   }
+  /// The same as log_shape without a cosine.
+  struct Turned {
+    double kappa, x, y;
+    double log_shape(double cosine, double sine) const {
+      return kappa * (cosine * x + sine * y - 1.0);
+    }
+  };
+  Turned turned() const { return {kappa, std::cos(mean), std::sin(mean)}; }
 };
 
 class Expectation {
  public:
   explicit Expectation(const std::vector<double>& degrees) {
-    for (const double one : degrees)
+    for (const double one : degrees) {
       angles_.push_back(2.0 * one * pi / 180.0);
+      cosines_.push_back(std::cos(angles_.back()));
+      sines_.push_back(std::sin(angles_.back()));
+    }
   }
 
   /// Improves the components until the likelihood hardly grows.
   double improve(std::vector<Component>& components) {
     constexpr int most_rounds = 500;
-    constexpr double enough = 1e-7;  // relative to the number of directions
+    constexpr double enough = 1e-6;  // relative to the number of directions
     double last = -HUGE_VAL;
     for (int round = 0; round < most_rounds; ++round) {
       const double now = expect(components);
@@ -106,14 +122,17 @@ class Expectation {
     const std::size_t k = components.size();
     probability_.resize(angles_.size() * k);
     std::vector<double> factors;
-    for (const Component& one : components)
+    std::vector<Component::Turned> turned;
+    for (const Component& one : components) {
       factors.push_back(one.log_factor());
+      turned.push_back(one.turned());
+    }
     double sum = 0.0;
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       double* const p = probability_.data() + i * k;
       double most = -HUGE_VAL;
       for (std::size_t c = 0; c < k; ++c) {
-        p[c] = factors[c] + components[c].log_shape(angles_[i]);
+        p[c] = factors[c] + turned[c].log_shape(cosines_[i], sines_[i]);
         most = std::max(most, p[c]);
       }
       double total = 0.0;
@@ -168,8 +187,8 @@ class Expectation {
       for (std::size_t i = 0; i < angles_.size(); ++i) {
         const double p = probability_[i * k + c];
         weight += p;
-        x += p * std::cos(angles_[i]);
-        y += p * std::sin(angles_[i]);
+        x += p * cosines_[i];
+        y += p * sines_[i];
       }
       constexpr double least_weight = 1e-9;  // an empty component stays where it is
       components[c].weight =
@@ -181,7 +200,7 @@ class Expectation {
     }
   }
 
-  std::vector<double> angles_;
+  std::vector<double> angles_, cosines_, sines_;
   std::vector<double> probability_;  ///< of each direction and component
 };
 
@@ -294,9 +313,11 @@ Mixture find_families(const std::vector<double>& degrees, int most) {
   Expectation all(degrees);
   std::vector<Component> components;
   Mixture best = mixture_of(all, components);
-  // Three numbers describe a component, so it needs more directions than that.
+  // Three numbers describe a component, so it needs more directions than that. Two
+  // components more that do not help end the search.
   constexpr std::size_t fewest = 4;
-  for (int k = 1; k <= most && degrees.size() >= fewest * static_cast<std::size_t>(k);
+  for (int k = 1; k <= std::min(most, best.components + 2) &&
+                  degrees.size() >= fewest * static_cast<std::size_t>(k);
        ++k) {
     components = with_one_more(all, components);
     if (Mixture one = mixture_of(all, components); one.bic < best.bic)
