@@ -10,6 +10,7 @@
 
 #include "fault.hpp"
 #include "joints/fit_report.hpp"
+#include "joints/map_figure.hpp"
 #include "joints/statistics.hpp"
 #include "option_checks.hpp"
 #include "output/check_outputs.hpp"
@@ -129,12 +130,21 @@ void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
       ->allow_extra_args(false)
       ->take_all();
   command
-      .add_option("-o,--output", options.outputs,
-                  "a .json file with all numbers (default: print a table)")
+      .add_option(
+          "-o,--output", options.outputs,
+          "a .json file with all numbers, or a .png, .svg or .pdf file with rose, "
+          "triangle of nodes and histograms; several are separated by commas "
+          "(default: print a table)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
-  command.add_flag("--json", options.json, "print all numbers as JSON");
+  command.add_flag("--json", options.json,
+                   "print all numbers as JSON instead of the table");
+  auto* width = command
+                    .add_option("--width", options.width,
+                                "width of a figure, in pixels or points")
+                    ->check(CLI::Range(100, 20000));
+  command.add_option("--size", options.size, post::PageSize::help())->excludes(width);
 }
 
 void add_joint_fit_options(CLI::App& command, JointsOptions& options) {
@@ -162,7 +172,11 @@ int joint_statistics(const JointsOptions& options) {
     how.shortest = options.shortest;
     for (const std::string& line : options.scanlines)
       how.scanlines.push_back(scanline_of(line));
-    check_endings(options.outputs, {".json"}, ".json");
+    check_endings(options.outputs, {".json", ".png", ".svg", ".pdf"},
+                  ".json, .png, .svg or .pdf");
+    const post::PageSize page = options.size.empty()
+                                    ? post::PageSize::on_screen(options.width)
+                                    : post::PageSize::in_print(options.size);
     check_joint_outputs(options, options.outputs);
     const ReadMaps read = read_maps(options.input);
     if (read.code != run::done)
@@ -173,7 +187,10 @@ int joint_statistics(const JointsOptions& options) {
       tell_doubts(map.name, maps.back().network);
     }
     for (const std::string& path : options.outputs) {
-      write_text_file(path, joints::statistics_json(maps));
+      if (std::filesystem::path(path).extension() == ".json")
+        write_text_file(path, joints::statistics_json(maps));
+      else
+        joints::draw_map_figure(path, maps, page);
       fmt::print("{}\n", path);
     }
     if (options.json)

@@ -268,34 +268,43 @@ Mixture mixture_of(Expectation& all, const std::vector<Component>& components) {
 
 /// Joins components, and describes the families by their members.
 Mixture joined(Mixture mixture, const std::vector<double>& degrees) {
-  const std::vector<int> member = merge_families(degrees, mixture.member);
-  const auto count =
-      static_cast<std::size_t>(1 + *std::max_element(member.begin(), member.end()));
-  std::vector<Family> families(count);
-  std::vector<double> n(count), x(count), y(count);
-  for (std::size_t i = 0; i < member.size(); ++i) {
-    const auto k = static_cast<std::size_t>(member[i]);
+  for (int& member : mixture.member)
+    if (member >= 0 &&
+        mean_resultant(mixture.families[static_cast<std::size_t>(member)].kappa) <
+            least_resultant)
+      member = -1;
+  mixture.member = merge_families(degrees, std::move(mixture.member));
+  mixture.families.clear();
+  std::vector<double> n, x, y;
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    if (mixture.member[i] < 0)
+      continue;
+    const auto k = static_cast<std::size_t>(mixture.member[i]);
+    if (k >= n.size())
+      n.resize(k + 1), x.resize(k + 1), y.resize(k + 1);
     n[k] += 1.0;
     x[k] += std::cos(degrees[i] * pi / 90.0);
     y[k] += std::sin(degrees[i] * pi / 90.0);
   }
-  for (std::size_t k = 0; k < count; ++k)
+  std::vector<Family> families(n.size());
+  std::vector<std::size_t> order(n.size());
+  for (std::size_t k = 0; k < n.size(); ++k) {
     families[k] = {degrees_of(std::atan2(y[k], x[k])),
                    kappa_of(std::hypot(x[k], y[k]) / n[k]),
-                   n[k] / static_cast<double>(member.size())};
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
+                   n[k] / static_cast<double>(degrees.size())};
+    order[k] = k;
+  }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return families[a].mean < families[b].mean;
   });
-  mixture.families.clear();
-  std::vector<int> place(count);
-  for (std::size_t k = 0; k < count; ++k) {
+  std::vector<int> place(n.size());
+  for (std::size_t k = 0; k < n.size(); ++k) {
     place[order[k]] = static_cast<int>(k);
     mixture.families.push_back(families[order[k]]);
   }
-  for (std::size_t i = 0; i < member.size(); ++i)
-    mixture.member[i] = place[static_cast<std::size_t>(member[i])];
+  for (int& member : mixture.member)
+    if (member >= 0)
+      member = place[static_cast<std::size_t>(member)];
   return mixture;
 }
 
@@ -323,7 +332,7 @@ Mixture find_families(const std::vector<double>& degrees, int most) {
     if (Mixture one = mixture_of(all, components); one.bic < best.bic)
       best = std::move(one);
   }
-  return best.components > 0 ? joined(std::move(best), degrees) : best;
+  return joined(std::move(best), degrees);
 }
 
 }  // namespace blocks::joints

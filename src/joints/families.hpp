@@ -16,22 +16,29 @@ struct Family {
 
 /// A mixture, and which component each direction belongs to.
 struct Mixture {
-  std::vector<Family> families;  ///< by ascending mean; none: directions are isotropic
-  std::vector<int> member;       ///< family of each direction, from 0; -1 if isotropic
-  double log_likelihood = 0.0;   ///< of the directions, per radian of the doubled angle
-  double bic = 0.0;              ///< (3 k - 1) ln n - 2 log_likelihood
-  int components = 0;            ///< k, before any were joined
+  std::vector<Family> families;  ///< by ascending mean
+  /// Family of each direction, from 0; -1: scattered, because its component prefers no
+  /// direction.
+  std::vector<int> member;
+  double log_likelihood = 0.0;  ///< of the directions, per radian of the doubled angle
+  double bic = 0.0;             ///< (3 k - 1) ln n - 2 log_likelihood
+  int components = 0;           ///< k, before any were joined
 };
 
 /// The largest number of families.
 inline constexpr int most_families = 6;
 
+/// A component with a smaller mean resultant (0: isotropic, 1: all directions equal)
+/// has no preferred direction, as in the rose of a figure.
+inline constexpr double least_resultant = 0.4;
+
 /// Fits k components by expectation and maximisation, k >= 0. The result depends on
 /// nothing but the directions.
 Mixture fit_mixture(const std::vector<double>& degrees, int k);
 
-/// Fits 0 to `most` components and takes the fit with the smallest bic. Components that
-/// describe one family are then joined (merge_families).
+/// Fits 0 to `most` components and takes the fit with the smallest bic. Members of
+/// components whose mean resultant is below least_resultant are scattered. Other
+/// components that describe one family are joined (merge_families).
 Mixture find_families(const std::vector<double>& degrees, int most = most_families);
 
 }  // namespace blocks::joints

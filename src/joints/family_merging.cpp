@@ -60,8 +60,13 @@ double family_evidence(const std::vector<double>& off) {
 
 std::vector<int> merge_families(const std::vector<double>& degrees,
                                 std::vector<int> member) {
+  const auto groups_of = [&] {
+    std::set<int> groups(member.begin(), member.end());
+    groups.erase(-1);
+    return groups;
+  };
   for (;;) {
-    const std::set<int> groups(member.begin(), member.end());
+    const std::set<int> groups = groups_of();
     double most = 0.0;
     int keep = -1, join = -1;
     for (const int a : groups)
@@ -81,9 +86,10 @@ std::vector<int> merge_families(const std::vector<double>& degrees,
       break;
     std::replace(member.begin(), member.end(), join, keep);
   }
-  const std::set<int> groups(member.begin(), member.end());
+  const std::set<int> groups = groups_of();
   for (int& one : member)
-    one = static_cast<int>(std::distance(groups.begin(), groups.find(one)));
+    if (one >= 0)
+      one = static_cast<int>(std::distance(groups.begin(), groups.find(one)));
   return member;
 }
 

@@ -155,10 +155,11 @@ std::string fit_deck(const NetworkFit& fit, const TraceMap& map,
   deck += fmt::format("OUTLINE, {}, 1\n{}{}", x.size(), values(x), values(y));
   for (const SetFit& set : fit.sets)
     deck += set_card(set, decimals);
-  // Without these limits, slivers would make the time step short.
-  deck += fmt::format("$ Edges below a twentieth of a usual block, and cells below a\n"
-                      "$ hundredth of its area, are removed.\nCUT, {:.2g}, {:.2g}\n",
-                      0.05 * one_block, 0.01 * one_block * one_block);
+  // Slivers would make the time step short.
+  deck +=
+      fmt::format("$ Cells below a hundredth of the area of a usual block are merged "
+                  "into a\n$ neighbour.\nCUT, 0, {:.2g}\n",
+                  0.01 * one_block * one_block);
   return deck + "GRAVITY, 0, -9.81\nFRICTN, 0.5\nDAMPING, 0.5\nCYCLE, 100\nSTOP\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -110,19 +111,25 @@ class SetFitter {
     return std::move(fit_);
   }
 
-  /// Lines in all directions.
-  SetFit isotropic() {
-    fit_.law = JointLaw::poisson;
-    fit_.dip = fit_.ddev = exactly(0.0);
-    fit_.sdev = fit_.trace = fit_.tdev = fit_.gap = fit_.gdev = exactly(0.0);
-    const Estimate& p21 = density_.p21;
-    fit_.space = {1.0 / p21.value, 1.0 / p21.high, 1.0 / p21.low};
-    note("directions have no families: POISSON makes lines in all directions");
-    if (!runs_through()) {
+  /// Joints in all directions: POISSON if they run through, otherwise traces that each
+  /// have their own direction.
+  SetFit scattered(int id) {
+    fit_.id = id;
+    note("these traces have no preferred direction");
+    fit_.dip = fit_.ddev = fit_.sdev = exactly(0.0);
+    if (runs_through()) {
+      fit_.law = JointLaw::poisson;
+      fit_.trace = fit_.tdev = fit_.gap = fit_.gdev = exactly(0.0);
+      fit_.space = {1.0 / density_.p21.value, 1.0 / density_.p21.high,
+                    1.0 / density_.p21.low};
+      fit_.start = middle_of(network_.window);
+    } else {
+      fit_.ddev = exactly(90.0);
+      note_connected();
       fit_lengths();
       fit_gaps_by_density();
+      place_start();
     }
-    fit_.start = middle_of(network_.window);
     return std::move(fit_);
   }
 
@@ -277,12 +284,9 @@ class SetFitter {
   void fit_gaps_by_density() {
     fit_.gap = fit_.gdev = {fit_.trace.value, unknown, unknown};
     const Estimate& p20 = density_.p20;
-    if (fit_.law != JointLaw::poisson) {
-      fit_.law = JointLaw::negexp;
-      fit_.sdev = exactly(0.0);
-    }
+    fit_.law = JointLaw::negexp;
+    fit_.sdev = exactly(0.0);
     const double stretch = 2.0 * fit_.trace.value;
-    // POISSON: length per area 1 / space of the lines, of which traces are a half.
     fit_.space = {1.0 / (p20.value * stretch), unknown, unknown};
     note("traces do not lie on tracks: gap is chosen like trace, and space follows "
          "from P20");
@@ -317,21 +321,21 @@ NetworkFit fit_sets(const Network& network, double shortest, int most) {
     directions.push_back(piece.direction);
   const Mixture mixture = find_families(directions, most);
   fit.components = mixture.components;
-  if (mixture.families.empty())
-    fit.sets.push_back(
-        SetFitter(network, shortest, std::vector<char>(network.pieces.size(), 1))
-            .isotropic());
-  for (std::size_t k = 0; k < mixture.families.size(); ++k) {
-    std::vector<char> chosen(network.pieces.size(), 0);
-    bool has_members = false;
-    for (std::size_t i = 0; i < network.pieces.size(); ++i)
-      if (mixture.member[i] == static_cast<int>(k))
-        chosen[i] = 1, has_members = true;
-    if (has_members)
-      fit.sets.push_back(
-          SetFitter(network, shortest, std::move(chosen))
-              .family(static_cast<int>(fit.sets.size()) + 1, mixture.families[k]));
+  const auto chosen = [&](int k) {
+    std::vector<char> members;
+    for (const int member : mixture.member)
+      members.push_back(member == k ? 1 : 0);
+    return members;
+  };
+  int id = 0;
+  for (const Family& family : mixture.families) {
+    SetFitter fitter(network, shortest, chosen(id));
+    fit.sets.push_back(fitter.family(id + 1, family));
+    ++id;
   }
+  constexpr long fewest = 3;
+  if (std::count(mixture.member.begin(), mixture.member.end(), -1) >= fewest)
+    fit.sets.push_back(SetFitter(network, shortest, chosen(-1)).scattered(id + 1));
   return fit;
 }
 

@@ -32,9 +32,10 @@ struct NetworkFit {
   int components = 0;  ///< of the mixture, before some were joined
 };
 
-/// Fits one set for each family of directions, at most `most` of them. If directions
-/// have no families, the only set has the law POISSON. shortest: [L] shorter traces
-/// were not mapped everywhere. The network has pieces.
+/// Fits one set for each family of directions, at most `most` of them. At least
+/// three scattered traces make one more set: with the law POISSON if they run through,
+/// otherwise with ddev 90. shortest: [L] shorter
+/// traces were not mapped everywhere. The network has pieces.
 NetworkFit fit_sets(const Network& network, double shortest = 0.0,
                     int most = most_families);
 

@@ -14,15 +14,20 @@ double half_turn(double degrees) {
   return degrees - 180.0 * std::round(degrees / 180.0);
 }
 
+/// Returns the statistics of family k, or of scattered traces, k = -1.
 FamilyStatistics family_statistics(const Network& network, const Mixture& mixture,
-                                   std::size_t k) {
+                                   int k) {
   FamilyStatistics one;
-  one.family = mixture.families[k];
+  one.scattered = k < 0;
+  if (one.scattered)
+    one.family.mean = 90.0;
+  else
+    one.family = mixture.families[static_cast<std::size_t>(k)];
   std::vector<Piece> members;
   std::vector<char> chosen(network.pieces.size(), 0);
   double length = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < network.pieces.size(); ++i) {
-    if (mixture.member[i] != static_cast<int>(k))
+    if (mixture.member[i] != k)
       continue;
     chosen[i] = 1;
     members.push_back(network.pieces[i]);
@@ -31,8 +36,11 @@ FamilyStatistics family_statistics(const Network& network, const Mixture& mixtur
     squares += off * off;
   }
   one.pieces = members.size();
-  if (members.size() > 1)
+  if (members.size() > 1 && !one.scattered)
     one.deviation = std::sqrt(squares / static_cast<double>(members.size() - 1));
+  if (one.scattered)
+    one.family.weight = static_cast<double>(members.size()) /
+                        static_cast<double>(network.pieces.size());
   one.share = length / network.length();
   one.density = trace_density(members, network.window);
   one.spacing =
@@ -88,8 +96,11 @@ MapStatistics statistics_of(const TraceMap& map, const StatisticsOptions& option
   for (const Piece& piece : network.pieces)
     directions.push_back(piece.direction);
   found.mixture = find_families(directions, options.most_families);
-  for (std::size_t k = 0; k < found.mixture.families.size(); ++k)
+  for (int k = 0; k < static_cast<int>(found.mixture.families.size()); ++k)
     found.families.push_back(family_statistics(network, found.mixture, k));
+  if (FamilyStatistics rest = family_statistics(network, found.mixture, -1);
+      rest.pieces > 0)
+    found.families.push_back(std::move(rest));
   const auto along = [&](double degrees) {
     return spacing_statistics(
         parallel_scanlines(network.window, degrees, scanlines_per_direction), network);

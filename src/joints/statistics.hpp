@@ -33,12 +33,14 @@ struct Topology {
 
 /// A family of directions and its traces.
 struct FamilyStatistics {
+  bool scattered = false;  ///< traces without a preferred direction, and no family
   Family family;
   std::size_t pieces = 0;
   double deviation = unknown;  ///< [degrees] standard deviation of the directions
   double share = 0.0;          ///< of all length, 0 to 1
   TraceDensity density;
-  SpacingStatistics spacing;  ///< along lines normal to the mean direction
+  SpacingStatistics spacing;  ///< along lines normal to the mean direction; if
+                              ///< scattered, along x
 };
 
 struct MapStatistics {

@@ -43,14 +43,16 @@ ordered_json json_of(const SpacingStatistics& one) {
 }
 
 ordered_json json_of(const FamilyStatistics& one) {
-  return {{"direction", one.family.mean},
-          {"kappa", one.family.kappa},
-          {"weight", one.family.weight},
-          {"deviation", number(one.deviation)},
-          {"parts", one.pieces},
-          {"share_of_length", one.share},
-          {"density", json_of(one.density)},
-          {"spacing", json_of(one.spacing)}};
+  return {
+      {"scattered", one.scattered},
+      {"direction", one.scattered ? ordered_json(nullptr) : number(one.family.mean)},
+      {"kappa", one.family.kappa},
+      {"weight", one.family.weight},
+      {"deviation", number(one.deviation)},
+      {"parts", one.pieces},
+      {"share_of_length", one.share},
+      {"density", json_of(one.density)},
+      {"spacing", json_of(one.spacing)}};
 }
 
 ordered_json json_of(const MapStatistics& map) {

@@ -121,10 +121,15 @@ void add_lengths(Table& table) {
   });
 }
 
-void add_family(Table& table, std::size_t k) {
+/// Adds family k, or the scattered traces, k = -1.
+void add_family(Table& table, int k) {
   using Map = MapStatistics;
   const auto of = [k](const Map& m) -> const FamilyStatistics* {
-    return k < m.families.size() ? &m.families[k] : nullptr;
+    if (k < 0)
+      return !m.families.empty() && m.families.back().scattered ? &m.families.back()
+                                                                : nullptr;
+    const auto i = static_cast<std::size_t>(k);
+    return i < m.mixture.families.size() ? &m.families[i] : nullptr;
   };
   const auto row = [&](const std::string& label, const auto& value) {
     table.row(label, [&](const Map& m) -> std::string {
@@ -132,10 +137,12 @@ void add_family(Table& table, std::size_t k) {
       return one == nullptr ? "-" : value(*one);
     });
   };
-  table.heading(fmt::format("family {}", k + 1));
-  row("direction [degrees]", [](const FamilyStatistics& f) {
-    return fmt::format("{:.1f} +- {:.1f}", f.family.mean, f.deviation);
-  });
+  table.heading(k < 0 ? std::string("scattered directions")
+                      : fmt::format("family {}", k + 1));
+  if (k >= 0)
+    row("direction [degrees]", [](const FamilyStatistics& f) {
+      return fmt::format("{:.1f} +- {:.1f}", f.family.mean, f.deviation);
+    });
   row("parts, share of length", [](const FamilyStatistics& f) {
     return fmt::format("{}, {:.0f} %", f.pieces, 100.0 * f.share);
   });
@@ -145,6 +152,8 @@ void add_family(Table& table, std::size_t k) {
       [](const FamilyStatistics& f) { return with_interval(f.density.p21); });
   row("mean length P21/P20 [L]",
       [](const FamilyStatistics& f) { return with_interval(f.density.by_ends); });
+  if (k < 0)
+    return;
   row("mean spacing [L]",
       [](const FamilyStatistics& f) { return number(f.spacing.mean); });
   row("variation of spacing [-]",
@@ -172,8 +181,10 @@ void add_scanline(
 std::string statistics_text(const std::vector<MapStatistics>& maps) {
   Table table(maps);
   std::size_t families = 0, scanlines = 0;
+  bool scattered = false;
   for (const MapStatistics& map : maps) {
-    families = std::max(families, map.families.size());
+    families = std::max(families, map.mixture.families.size());
+    scattered = scattered || (!map.families.empty() && map.families.back().scattered);
     scanlines = std::max(scanlines, map.scanlines.size());
   }
   table.row("", [](const MapStatistics& m) { return m.name; });
@@ -182,9 +193,12 @@ std::string statistics_text(const std::vector<MapStatistics>& maps) {
   add_nodes(table);
   add_lengths(table);
   table.heading("directions");
-  table.row("families", [](const MapStatistics& m) { return m.families.size(); });
+  table.row("families",
+            [](const MapStatistics& m) { return m.mixture.families.size(); });
   for (std::size_t k = 0; k < families; ++k)
-    add_family(table, k);
+    add_family(table, static_cast<int>(k));
+  if (scattered)
+    add_family(table, -1);
   add_scanline(
       table, "20 scanlines along x",
       [](const MapStatistics& m) -> const auto& { return m.along_x; });

@@ -78,6 +78,21 @@ TEST(Families, IsotropicDirectionsHaveNone) {
   EXPECT_GE(none, 18);
 }
 
+// Scattered directions hide no family, and are none.
+TEST(Families, AFamilyAmongScatteredDirections) {
+  int right = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Mixture m =
+        find_families(both(normal(40.0, 6.0, 150, seed), even(0.0, 180.0, 150, seed)));
+    const auto scattered = std::count(m.member.begin(), m.member.end(), -1);
+    right += m.families.size() == 1 && std::abs(m.families[0].mean - 40.0) < 3.0 &&
+                     scattered > 90 && scattered < 160
+                 ? 1
+                 : 0;
+  }
+  EXPECT_GE(right, 18);
+}
+
 TEST(Families, EqualDirections) {
   const Mixture m = find_families(
       both(std::vector<double>(20, 35.0), std::vector<double>(10, 110.0)));
