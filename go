@@ -23,6 +23,7 @@ usage() {
                        problems     problems with known answers, validation/REPORT.md
                        layers       generated layers and their certificate
                        cells        cells of random joints against exact answers
+                       traces       joint sets fitted to the maps that they made
                        law-figures  the laws of joints as curves
                        cuts         random networks of joints, cut and judged
                        splits       random blocks, each cut in two and judged

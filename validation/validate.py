@@ -85,6 +85,12 @@ def cells(arguments):
     return code
 
 
+def traces(arguments):
+    build("ci", "trace_recovery")
+    return run(CI / "validation/traces/trace_recovery", arguments.count,
+               *report_option(arguments.count, arguments.full, "traces/RECOVERY.md")[1:])
+
+
 def cuts(arguments):
     build("ci", "cuts")
     return run(CI / "validation/geometry/cuts", "--networks", arguments.count,
@@ -270,6 +276,9 @@ def parser():
         "Exit code 4: a mean deviates too far from its exact value. Writes "
         "validation/cells/REPORT.md and its figures. Takes 6 minutes.",
         (4000, "networks of Poisson lines; the others are in proportion"))
+    add("traces", traces, "joint sets fitted to the maps that they made",
+        "Writes validation/traces/RECOVERY.md. Exit code 4: an interval covers too seldom. Takes a "
+        "minute.", (1000, "maps of each kind"))
     add("law-figures", law_figures, "the laws of joints as curves",
         "Drives single contacts along paths and writes docs/images/laws-*.svg.")
     add("cuts", cuts, "random networks of joints, cut and judged",

@@ -40,8 +40,9 @@ def check_program_page(page):
     commands = re.findall(r"^  (\w+) +\S", blocks("--help").split("Subcommands:")[1], re.M)
     assert len(commands) > 8, commands
     for name in commands:
-        section = page.split(f"\n.SS blocks {name}", 1)[1].split("\n.S", 1)[0]
-        words = [name, "contacts"] if name == "study" else [name]
+        parts = {"study": ["contacts"], "joints": ["statistics"]}.get(name, [])
+        words = [name, *parts]
+        section = page.split(f"\n.SS blocks {' '.join(words)}", 1)[1].split("\n.S", 1)[0]
         options = re.findall(r"(?:^  |,)(--?[a-z][\w-]*)", blocks(*words, "--help"), re.M)
         assert len(options) > 1, name
         for option in options:
@@ -88,6 +89,8 @@ def check_completion(script, folder):
         "blocks run --time-limit ": [""],
         "blocks cards GRA": ["GRAVITY"],
         "blocks cards --set w": ["wall.deck"],
+        "blocks joints ": ["fit", "statistics"],
+        "blocks joints fit n": ["notes.txt"],
         "blocks study ": ["contacts"],
         "blocks study contacts --vari": ["--variants"],
         "blocks manual ": ["bash", "deck", "program"],

@@ -69,6 +69,41 @@ TEST(JointsCommand, TheDensityOfADeckIsThatOfItsCut) {
   EXPECT_NE(json.out, other.out);
 }
 
+// The values that fractopo's own tests expect for these data, with the same snap
+// (tests/data/krakfjarden).
+TEST(JointsCommand, KrakfjardenAsFractopoCountsIt) {
+  const TemporaryFolder folder;
+  const std::string data = BLOCKS_SOURCE_DIR "/tests/data/krakfjarden/";
+  const Outcome told = blocks("joints statistics " + data + "traces.wkt --outline " +
+                                  data + "window.wkt --snap 0.001 --json",
+                              folder.path());
+  ASSERT_EQ(told.code, 0) << told.err;
+  const auto map = nlohmann::json::parse(told.out)["maps"][0];
+  EXPECT_EQ(map["nodes"]["i"], 476);
+  EXPECT_EQ(map["nodes"]["y"], 826);
+  EXPECT_EQ(map["nodes"]["x"], 268);
+  EXPECT_EQ(map["nodes"]["e"], 114);
+  const auto& branches = map["branches"];
+  EXPECT_EQ(branches["number"], 2013.0);
+  EXPECT_EQ(branches["c_c"], 1521);
+  EXPECT_EQ(branches["c_i"], 408);
+  EXPECT_EQ(branches["i_i"], 28);
+  EXPECT_EQ(branches["cut_by_window"], 113);  // C-E 100, I-E 12, E-E 1
+  const auto& length_per_area = map["traces"]["density"];
+  EXPECT_EQ(map["traces"]["number"], 651.0);
+  const std::vector<std::pair<double, double>> values = {
+      {map["area"], 1237.9},
+      {length_per_area["p20"]["value"], 0.53},
+      {length_per_area["p21"]["value"], 1.26},
+      {branches["b20"], 1.63},
+      {branches["b22"], 0.98},
+      {branches["mean_length"], 0.78},
+      {branches["connections_per_branch"], 1.76},
+      {map["traces"]["connections_per_trace"], 3.36}};
+  for (const auto& [found, published] : values)
+    EXPECT_NEAR(found, published, 0.005001);  // published with two decimals
+}
+
 TEST(JointsCommand, WithoutAWindowItWarns) {
   const TemporaryFolder folder;
   write_map(folder);

@@ -3,7 +3,7 @@
 
 #include "joints/network.hpp"
 #include "joints/statistics.hpp"
-#include "tests/joints/maps.hpp"
+#include "validation/traces/maps.hpp"
 
 namespace blocks::joints {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "joints/scanlines.hpp"
-#include "tests/joints/maps.hpp"
+#include "validation/traces/maps.hpp"
 
 namespace blocks::joints {
 namespace {

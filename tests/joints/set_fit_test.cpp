@@ -1,11 +1,10 @@
-// Joint sets recovered from the networks that they made. `./go validate` has no longer
-// form: this is the whole study of docs/joint-statistics.md, with fewer seeds.
+// Joint sets recovered from the networks that they made: a short form of
+// `./go validate traces`.
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "joints/set_fit.hpp"
-#include "tests/joints/maps.hpp"
+#include "validation/traces/maps.hpp"
+#include "validation/traces/recovery.hpp"
 
 namespace blocks::joints {
 namespace {
@@ -16,75 +15,33 @@ using testing::joint_set;
 using testing::rectangle;
 using testing::SetNumbers;
 
-struct Field {
-  const char* name;
-  Estimate SetFit::*fitted;
-  double SetNumbers::*given;
-};
-const std::vector<Field> fields = {{"dip", &SetFit::dip, &SetNumbers::dip},
-                                   {"ddev", &SetFit::ddev, &SetNumbers::ddev},
-                                   {"space", &SetFit::space, &SetNumbers::space},
-                                   {"sdev", &SetFit::sdev, &SetNumbers::sdev},
-                                   {"trace", &SetFit::trace, &SetNumbers::trace},
-                                   {"tdev", &SetFit::tdev, &SetNumbers::tdev},
-                                   {"gap", &SetFit::gap, &SetNumbers::gap},
-                                   {"gdev", &SetFit::gdev, &SetNumbers::gdev}};
-
-/// Fits 50 maps of the sets in a window of 40 x 30. Every field of every set must be
-/// covered in at least `least` of them: 47.5 are expected, and 41 are 4 deviations
-/// less.
-void expect_recovery(const std::vector<SetNumbers>& numbers, int least = 41) {
-  constexpr unsigned maps = 50;
-  std::map<std::string, int> covered;
-  int right = 0;
-  for (unsigned seed = 1; seed <= maps; ++seed) {
-    std::vector<geometry::JointSet> sets;
-    for (const SetNumbers& one : numbers)
-      sets.push_back(joint_set(one));
-    const NetworkFit fit =
-        fit_sets(network_of(generated(rectangle(40.0, 30.0), sets, seed)));
-    if (fit.sets.size() != numbers.size())
+/// Fits 50 maps of a case. Every field of every set must be covered in at least `least`
+/// of them: 47.5 are expected, and 41 are 4 deviations less.
+void expect_recovery(const std::string& name, int least = 41) {
+  constexpr int maps = 50;
+  for (const validation::RecoveryCase& one : validation::recovery_cases()) {
+    if (one.name != name)
       continue;
-    ++right;
-    for (std::size_t k = 0; k < numbers.size(); ++k)
-      for (const Field& field : fields) {
-        const Estimate& one = fit.sets[k].*field.fitted;
-        const double given = numbers[k].*field.given;
-        covered[fmt::format("{} of set {}", field.name, k + 1)] +=
-            one.low <= given && given <= one.high ? 1 : 0;
-      }
+    const validation::Recovery found = validation::recover(one, maps);
+    EXPECT_EQ(found.right, maps);
+    for (const validation::RecoveredField& field : found.fields)
+      EXPECT_GE(field.covered, least) << field.name << " of set " << field.set;
+    return;
   }
-  EXPECT_EQ(right, static_cast<int>(maps));
-  for (const auto& [name, count] : covered)
-    EXPECT_GE(count, least) << name;
+  FAIL() << "no case " << name;
 }
 
-TEST(SetFit, JointsThatRunThrough) {
-  expect_recovery(
-      {{30, 0, 2, .5, 0, 0, 0, 0, -25, 10}, {110, 0, 3, 1, 0, 0, 0, 0, 60, -10}});
-}
+TEST(SetFit, JointsThatRunThrough) { expect_recovery("run through, UNIFORM"); }
 
-TEST(SetFit, ExponentialSpacing) {
-  expect_recovery({{30, 0, 2, 0, 0, 0, 0, 0, -25, 10, JointLaw::negexp},
-                   {110, 0, 3, 0, 0, 0, 0, 0, 60, -10, JointLaw::negexp}});
-}
+TEST(SetFit, ExponentialSpacing) { expect_recovery("run through, NEGEXP"); }
 
-TEST(SetFit, JointsThatTurnAboutTheMiddle) {
-  expect_recovery(
-      {{30, 3, 2, .5, 0, 0, 0, 0, 20, 15}, {110, 3, 3, 1, 0, 0, 0, 0, 20, 15}});
-}
+TEST(SetFit, JointsThatTurnAboutTheMiddle) { expect_recovery("run through, turned"); }
 
-TEST(SetFit, TracesOnTracks) {
-  expect_recovery(
-      {{30, 0, 2, .5, 8, 2, 2, 1, -25, 10}, {110, 0, 3, 1, 6, 3, 3, 2, 60, -10}});
-}
+TEST(SetFit, TracesOnTracks) { expect_recovery("traces"); }
 
 // The places of deviating traces on their tracks are blurred, which widens the range of
 // the spacings.
-TEST(SetFit, DeviatingTracesOnTracks) {
-  expect_recovery(
-      {{30, 4, 2, .5, 8, 2, 2, 1, -25, 10}, {110, 4, 3, 1, 6, 3, 3, 2, 60, -10}}, 36);
-}
+TEST(SetFit, DeviatingTracesOnTracks) { expect_recovery("traces, turned", 36); }
 
 // Tracks at exponential distances are not told apart if traces deviate. Then the map
 // tells the length of the traces and their number per area, and the set keeps both.

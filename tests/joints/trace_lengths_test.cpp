@@ -7,7 +7,7 @@
 #include "geometry/random.hpp"
 #include "joints/mean_length.hpp"
 #include "joints/window.hpp"
-#include "tests/joints/maps.hpp"
+#include "validation/traces/maps.hpp"
 
 namespace blocks::joints {
 namespace {
