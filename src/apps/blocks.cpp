@@ -244,8 +244,8 @@ int dispatch(std::vector<std::string> words) {
   blocks::apps::JointsOptions joints_options;
   auto* joints = app.add_subcommand("joints", "describe maps of fracture traces");
   joints->require_subcommand(1);
-  auto* joint_numbers = joints->add_subcommand(
-      "statistics", "count nodes, lengths, directions and spacings of traces");
+  auto* joint_numbers =
+      joints->add_subcommand("statistics", "measure maps of fracture traces");
   blocks::apps::add_joint_statistics_options(*joint_numbers, joints_options);
   add_set_option(*joint_numbers, sets);
   auto* joint_fit =

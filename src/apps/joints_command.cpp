@@ -77,9 +77,10 @@ void add_input_options(CLI::App& command, MapInput& input) {
       ->allow_extra_args(false)
       ->take_all();
   command
-      .add_option("--snap", input.snap,
-                  "ends that stop short of a trace, or overshoot it, by at most this "
-                  "length meet it")
+      .add_option(
+          "--snap", input.snap,
+          "for a file of traces: ends that stop short of a trace, or overshoot it, "
+          "by at most this length meet it")
       ->check(length_from_zero());
   command
       .add_option("--seed", input.seed,
@@ -168,7 +169,6 @@ void add_joint_fit_options(CLI::App& command, JointsOptions& options) {
 int joint_statistics(const JointsOptions& options) {
   return guarded([&] {
     joints::StatisticsOptions how;
-    how.snap = options.input.snap;
     how.shortest = options.shortest;
     for (const std::string& line : options.scanlines)
       how.scanlines.push_back(scanline_of(line));
@@ -219,7 +219,7 @@ int fit_joints(const JointsOptions& options) {
           "give a deck with one group",
           input, read.maps.size()));
     const joints::TraceMap& map = read.maps.front();
-    const joints::Network network = joints::network_of(map, options.input.snap);
+    const joints::Network network = joints::network_of(map);
     if (network.pieces.empty())
       throw std::runtime_error(map.name + ": no trace is inside the window\n  hint: "
                                           "give traces and window in the same "

@@ -39,13 +39,13 @@ class Sets {
 
 class Counter {
  public:
-  Counter(const TraceMap& map, double snap)
+  explicit Counter(const TraceMap& map)
       : map_(map), graph_(geometry::trace_graph(map.window, map.segments)),
         cut_(graph_.nodes.size(), false) {
     for (const geometry::DecimalPoint& corner : map.window)
       network_.window.emplace_back(corner.x.value(), corner.y.value());
     network_.area = geometry::section_properties(network_.window).area;
-    cut_overshoots(snap);
+    cut_overshoots(map.snap);
     std::stable_sort(graph_.edges.begin(), graph_.edges.end(),
                      [](const auto& a, const auto& b) { return a.trace < b.trace; });
     edges_at_.resize(graph_.nodes.size());
@@ -241,8 +241,6 @@ double Network::length() const {
   return sum;
 }
 
-Network network_of(const TraceMap& map, double snap) {
-  return Counter(map, snap).count();
-}
+Network network_of(const TraceMap& map) { return Counter(map).count(); }
 
 }  // namespace blocks::joints

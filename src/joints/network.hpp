@@ -66,9 +66,8 @@ struct Network {
   double length() const;  ///< [L] of all pieces
 };
 
-/// Arranges the traces exactly. An end that overshoots another trace by at most `snap`
-/// [L] is cut there, because it is an end drawn too far and no crossing. Throws
-/// geometry::CutError for a window that is not simple.
-Network network_of(const TraceMap& map, double snap = 0.0);
+/// Arranges the traces exactly. Ends that overshoot by at most TraceMap::snap are cut.
+/// Throws geometry::CutError for a window that is not simple.
+Network network_of(const TraceMap& map);
 
 }  // namespace blocks::joints

@@ -81,7 +81,7 @@ MapStatistics statistics_of(const TraceMap& map, const StatisticsOptions& option
   MapStatistics found;
   found.name = map.name;
   found.shortest = options.shortest;
-  found.network = network_of(map, options.snap);
+  found.network = network_of(map);
   const Network& network = found.network;
   if (network.pieces.empty())
     throw std::runtime_error(map.name + ": no trace is inside the window\n  hint: give "

@@ -12,7 +12,6 @@
 namespace blocks::joints {
 
 struct StatisticsOptions {
-  double snap = 0.0;      ///< [L] >= 0: ends that overshoot by at most this are cut
   double shortest = 0.0;  ///< [L] >= 0: shorter traces were not mapped everywhere
   std::vector<Scanline> scanlines;  ///< given by the user
   int most_families = joints::most_families;

@@ -35,6 +35,7 @@ std::size_t close_gaps(TraceMap& map, const Decimal& snap) {
   geometry::Prolongation moved =
       geometry::prolonged(map.segments, snap, {}, map.window);
   map.segments = std::move(moved.traces);
+  map.snap = snap.value();
   return moved.ends;
 }
 

@@ -16,6 +16,9 @@ struct TraceMap {
   /// 1; the pieces of a polyline follow each other.
   std::vector<geometry::JointSegment> segments;
   int traces = 0;  ///< number of traces, the largest id
+  /// [L] >= 0: an end that overshoots another trace by at most this is an end drawn too
+  /// far, and no crossing.
+  double snap = 0.0;
 };
 
 /// Returns the bounding box of all traces as a window. Throws std::runtime_error if it
@@ -23,10 +26,9 @@ struct TraceMap {
 std::vector<geometry::DecimalPoint>
 box_window(const std::vector<geometry::JointSegment>& segments);
 
-/// Joins ends that a map has left loose. Ends that stop short of another trace by at
-/// most `snap` [L] along their trace are prolonged to it exactly (geometry::prolonged).
-/// Ends that overshoot are cut by the Network instead. Returns the number of prolonged
-/// ends.
+/// Prolongs ends that stop short of another trace, by at most `snap` [L] along their
+/// trace, to it exactly (geometry::prolonged), and sets TraceMap::snap. Returns the
+/// number of prolonged ends.
 std::size_t close_gaps(TraceMap& map, const geometry::Decimal& snap);
 
 }  // namespace blocks::joints

@@ -41,7 +41,7 @@ TEST(TraceNetwork, NoToleranceDecides) {
   EXPECT_EQ(network_of(map_of(ten, {"1 5 9 5", close})).nodes.y, 0U);
   TraceMap map = map_of(ten, {"1 5 9 5", close});
   EXPECT_EQ(close_gaps(map, testing::decimal(1e-9)), 1U);
-  const Network joined = network_of(map, 1e-9);
+  const Network joined = network_of(map);
   EXPECT_EQ(joined.nodes.y, 1U);
   EXPECT_EQ(joined.nodes.i, 3U);
 }
@@ -50,7 +50,9 @@ TEST(TraceNetwork, AnOvershootIsCutAndALongerEndIsKept) {
   const std::vector<std::string> lines = {"1 5 9 5", "4 4.9 4 9", "6 4 6 9"};
   const Network raw = network_of(map_of(ten, lines));
   EXPECT_EQ(raw.nodes.x, 2U);
-  const Network cut = network_of(map_of(ten, lines), 0.2);
+  TraceMap map = map_of(ten, lines);
+  map.snap = 0.2;
+  const Network cut = network_of(map);
   EXPECT_EQ(cut.overshoots, 1U);
   EXPECT_EQ(cut.nodes.x, 1U);
   EXPECT_EQ(cut.nodes.y, 1U);
