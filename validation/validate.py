@@ -278,7 +278,7 @@ def parser():
         (4000, "networks of Poisson lines; the others are in proportion"))
     add("traces", traces, "joint sets fitted to the maps that they made",
         "Writes validation/traces/RECOVERY.md. Exit code 4: an interval covers too seldom. Takes a "
-        "minute.", (1000, "maps of each kind"))
+        "minute.", (500, "maps of each kind"))
     add("law-figures", law_figures, "the laws of joints as curves",
         "Drives single contacts along paths and writes docs/images/laws-*.svg.")
     add("cuts", cuts, "random networks of joints, cut and judged",

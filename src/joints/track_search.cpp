@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "joints/scanlines.hpp"
@@ -14,9 +15,17 @@ using geometry::Vec2;
 
 /// A piece in the coordinates of its family: along and across the mean direction.
 struct Placed {
-  double begin = 0.0, end = 0.0;    ///< [L] along
+  double begin = 0.0, end = 0.0;    ///< [L] along the track
   double across = 0.0;              ///< [L] of the middle
   bool begins = true, ends = true;  ///< whether these ends are visible
+
+  bool is_complete() const { return begins && ends; }
+};
+
+/// The traces of a track.
+struct Track {
+  double across = 0.0;  ///< [L] mean of the middles that define it
+  std::vector<Placed> traces;
 };
 
 /// The line across the mean direction, and a range of it.
@@ -77,6 +86,12 @@ std::vector<Placed> placed_in(const Frame& frame, const std::vector<Piece>& piec
       std::swap(begin, end);
       std::swap(begins, ends);
     }
+    if (begins && ends) {
+      // It has turned about its middle, so it takes its whole length of the track.
+      const double middle = 0.5 * (begin + end);
+      const double half = 0.5 * (piece.to - piece.from).norm();
+      begin = middle - half, end = middle + half;
+    }
     placed.push_back({begin, end,
                       frame.across.dot(0.5 * (piece.from + piece.to) - frame.origin),
                       begins, ends});
@@ -87,41 +102,103 @@ std::vector<Placed> placed_in(const Frame& frame, const std::vector<Piece>& piec
   return placed;
 }
 
-/// The expected error of the offset of a middle, from the error of the mean direction,
-/// and for cut traces from their own deviation.
-double blur_of(const std::vector<Placed>& placed, double deviation) {
-  const double radians = deviation * std::numbers::pi / 180.0;
-  const auto n = static_cast<double>(placed.size());
-  double far = 0.0, cut = 0.0, longest = 0.0;
-  for (const Placed& one : placed)
-    longest = std::max(longest, one.end - one.begin);
-  for (const Placed& one : placed) {
-    far += squared(0.5 * (one.begin + one.end)) / n;
-    if (!one.begins || !one.ends)
-      cut += squared(0.5 * (longest - (one.end - one.begin)) * radians) / n;
+/// Finds the tracks of placed pieces.
+class TrackFinder {
+ public:
+  /// deviation: of the directions [radians]. least: [L] smallest distance of two
+  /// tracks.
+  TrackFinder(const std::vector<Placed>& placed, double deviation, double least)
+      : placed_(placed) {
+    constexpr double blurs = 4.0;
+    const auto n = static_cast<double>(placed.size());
+    double far = 0.0, longest = 0.0;
+    for (const Placed& one : placed) {
+      far += squared(0.5 * (one.begin + one.end)) / n;
+      longest = std::max(longest, one.end - one.begin);
+    }
+    // The mean direction has an error, which moves all middles far along the tracks.
+    reach_ = std::max(blurs * deviation * std::sqrt(far / n), least);
+    // The middle of a cut trace is elsewhere, by up to half of what is hidden.
+    cut_reach_ = [=, this](const Placed& one) {
+      return reach_ + 2.0 * deviation * 0.5 * (longest - (one.end - one.begin));
+    };
   }
-  return std::sqrt(squared(radians) / n * far + cut);
-}
 
-void add_gaps(const std::vector<Placed>& track, const geometry::Polygon& window,
-              const Frame& frame, LengthSample& gaps, std::size_t& overlaps) {
-  for (std::size_t i = 0; i + 1 < track.size(); ++i) {
-    if (!track[i].ends || !track[i + 1].begins)
+  double reach() const { return reach_; }
+
+  /// Complete traces define the tracks. Cut traces belong to the nearest track that is
+  /// near enough; the others define tracks of their own.
+  std::vector<Track> tracks() const {
+    std::vector<Placed> complete, cut, left;
+    for (const Placed& one : placed_)
+      (one.is_complete() ? complete : cut).push_back(one);
+    std::vector<Track> found =
+        grouped(complete, [this](const Placed&) { return reach_; });
+    for (const Placed& one : cut) {
+      Track* nearest = nullptr;
+      for (Track& track : found)
+        if (nearest == nullptr || std::abs(track.across - one.across) <
+                                      std::abs(nearest->across - one.across))
+          nearest = &track;
+      if (nearest != nullptr &&
+          std::abs(nearest->across - one.across) <= cut_reach_(one))
+        nearest->traces.push_back(one);
+      else
+        left.push_back(one);
+    }
+    for (Track& track : grouped(left, cut_reach_))
+      found.push_back(std::move(track));
+    std::sort(found.begin(), found.end(),
+              [](const Track& a, const Track& b) { return a.across < b.across; });
+    return found;
+  }
+
+ private:
+  /// Divides traces, in the order of their offsets, where two neighbours are farther
+  /// apart than their reach.
+  static std::vector<Track> grouped(const std::vector<Placed>& traces,
+                                    const std::function<double(const Placed&)>& reach) {
+    std::vector<Track> found;
+    for (const Placed& one : traces) {
+      if (found.empty() || one.across - found.back().traces.back().across > reach(one))
+        found.emplace_back();
+      found.back().traces.push_back(one);
+    }
+    for (Track& track : found)
+      for (const Placed& one : track.traces)
+        track.across += one.across / static_cast<double>(track.traces.size());
+    return found;
+  }
+
+  const std::vector<Placed>& placed_;
+  double reach_;
+  std::function<double(const Placed&)> cut_reach_;
+};
+
+/// Adds the gaps of a track, whose traces are in order. Returns how many traces
+/// overlap.
+std::size_t add_gaps(const Track& track, const geometry::Polygon& window,
+                     const Frame& frame, LengthSample& gaps) {
+  std::size_t overlaps = 0;
+  const std::vector<Placed>& traces = track.traces;
+  for (std::size_t i = 0; i + 1 < traces.size(); ++i) {
+    if (!traces[i].ends || !traces[i + 1].begins)
       continue;
-    const double gap = track[i + 1].begin - track[i].end;
+    const double gap = traces[i + 1].begin - traces[i].end;
     overlaps += gap < 0.0 ? 1U : 0U;
     gaps.complete.push_back(std::max(gap, 0.0));
   }
-  const auto parts = chords(window, frame.at(track.front().across), frame.along);
+  const auto parts = chords(window, frame.at(track.across), frame.along);
   const auto add_cut = [&](double place, bool towards_begin) {
     for (const auto& [begin, end] : parts)
       if (place >= begin && place <= end)
         gaps.one_hidden.push_back(towards_begin ? place - begin : end - place);
   };
-  if (track.front().begins)
-    add_cut(track.front().begin, true);
-  if (track.back().ends)
-    add_cut(track.back().end, false);
+  if (traces.front().begins)
+    add_cut(traces.front().begin, true);
+  if (traces.back().ends)
+    add_cut(traces.back().end, false);
+  return overlaps;
 }
 
 }  // namespace
@@ -144,44 +221,33 @@ Tracks find_tracks(const std::vector<Piece>& pieces, const geometry::Polygon& wi
   const Frame frame(middle_of(window), mean);
   const std::vector<Placed> placed = placed_in(frame, pieces);
   const auto [low, high] = range_of_offsets(window, frame);
-  // Middles of one track are within a few blurs of each other.
   constexpr double rounding = 1e-9;
-  constexpr double blurs = 4.0;
-  const double reach =
-      std::max(blurs * blur_of(placed, deviation), rounding * (high - low));
-  std::vector<std::vector<Placed>> groups;
-  for (const Placed& one : placed)
-    if (groups.empty() || one.across - groups.back().back().across > reach)
-      groups.push_back({one});
-    else
-      groups.back().push_back(one);
+  const TrackFinder finder(placed, deviation * std::numbers::pi / 180.0,
+                           rounding * (high - low));
   std::size_t overlaps = 0, on_tracks = 0;
   double last = 0.0;
   SpacingSample& spacing = tracks.spacing;
   spacing.length = high - low;
-  spacing.resolution = std::max(reach, 1e-6 * (high - low));
-  for (std::vector<Placed>& track : groups) {
-    double across = 0.0;
-    for (const Placed& one : track)
-      across += one.across / static_cast<double>(track.size());
-    if (across < low || across > high)
+  spacing.resolution = 1e-6 * (high - low);
+  for (Track& track : finder.tracks()) {
+    if (track.across < low || track.across > high)
       continue;
-    std::sort(track.begin(), track.end(),
+    std::sort(track.traces.begin(), track.traces.end(),
               [](const Placed& a, const Placed& b) { return a.begin < b.begin; });
-    add_gaps(track, window, frame, tracks.gaps, overlaps);
-    on_tracks += track.size();
+    overlaps += add_gaps(track, window, frame, tracks.gaps);
+    on_tracks += track.traces.size();
     if (spacing.tracks++ == 0)
-      spacing.beyond.push_back(across - low);
+      spacing.beyond.push_back(track.across - low);
     else
-      spacing.spacings.push_back(across - last);
-    last = across;
+      spacing.spacings.push_back(track.across - last);
+    last = track.across;
   }
   if (spacing.tracks < 3)
     return tracks;
   spacing.beyond.push_back(high - last);
   const double mean_spacing = spacing.length / spacing.tracks;
   constexpr double apart = 3.0, crowd = 1.5, few = 0.02;
-  tracks.found = mean_spacing > apart * reach &&
+  tracks.found = mean_spacing > apart * finder.reach() &&
                  static_cast<double>(on_tracks) > crowd * spacing.tracks &&
                  static_cast<double>(overlaps) <=
                      few * static_cast<double>(tracks.gaps.complete.size());

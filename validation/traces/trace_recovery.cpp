@@ -20,9 +20,6 @@ Written by `./go validate traces`; do not edit. Two joint sets make a map in a w
 and `blocks joints fit` fits sets to it ([how](../../docs/joint-statistics.md)). The tables show the
 mean of the estimates and the percentage of maps whose 95 % interval covers the given number. Maps
 with another number of families are not counted. Fields that are 0 by definition are left out.
-
-The deviating traces of the last table blur the places of their tracks, and this widens the range
-of the spacings: the intervals of sdev are too high.
 )";
 
 std::string table(const RecoveryCase& one, const Recovery& found) {
@@ -39,12 +36,11 @@ std::string table(const RecoveryCase& one, const Recovery& found) {
   return text;
 }
 
-/// Whether all intervals cover often enough. The blurred tracks are known to be worse.
-bool holds(const RecoveryCase& one, const Recovery& found) {
-  constexpr double least = 0.9, least_blurred = 0.75, least_right = 0.97;
+/// Whether all intervals cover often enough.
+bool holds(const Recovery& found) {
+  constexpr double least = 0.9, least_right = 0.97;
   for (const RecoveredField& field : found.fields)
-    if (field.covered <
-        (one.name == "traces, turned" ? least_blurred : least) * found.right)
+    if (field.covered < least * found.right)
       return false;
   return found.right >= least_right * found.maps;
 }
@@ -62,7 +58,7 @@ int main(int argc, char** argv) {
   for (const RecoveryCase& one : recovery_cases()) {
     const Recovery found = recover(one, maps);
     report += table(one, found);
-    all_hold = all_hold && holds(one, found);
+    all_hold = all_hold && holds(found);
   }
   fmt::print("{}", report);
   if (argc > 2)
