@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <numbers>
 
+#include "joints/direction_fit.hpp"
 #include "joints/mean_length.hpp"
 #include "joints/spacing_fit.hpp"
 #include "joints/track_search.hpp"
@@ -18,66 +19,10 @@ namespace {
 using geometry::JointLaw;
 using geometry::Vec2;
 
-constexpr double root_three = 1.7320508075688772;
-
-double half_turn(double degrees) {
-  return degrees - 180.0 * std::round(degrees / 180.0);
-}
-
 Estimate exactly(double value) { return {value, value, value}; }
 
 Estimate scaled(const Estimate& one, double factor) {
   return {one.value * factor, one.low * factor, one.high * factor};
-}
-
-/// Mean and half range of directions.
-struct Directions {
-  Estimate mean, half_range;
-};
-
-/// Directions near `middle`, an estimate of their mean. If they look uniform, the
-/// interval is that of the uniform law; otherwise the half range has the deviation of
-/// the sample.
-Directions directions_of(const std::vector<Piece>& pieces, double middle) {
-  const auto n = static_cast<double>(pieces.size());
-  UniformSample uniform;
-  uniform.resolution = 1e-6;  // degrees
-  uniform.least = -HUGE_VAL;
-  double mean = 0.0, squares = 0.0, fourths = 0.0;
-  for (const Piece& piece : pieces) {
-    uniform.values.push_back(half_turn(piece.direction - middle));
-    mean += uniform.values.back() / n;
-  }
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const double one : uniform.values) {
-    const double square = (one - mean) * (one - mean);
-    squares += square / n, fourths += square * square / n;
-    least = std::min(least, one), most = std::max(most, one);
-  }
-  Directions found;
-  const auto is_uniform = [&] {  // of two laws with two parameters, the likelier one
-    return -n * std::log(most - least) >
-           -0.5 * n * (1.0 + std::log(2.0 * 3.14159265358979323846 * squares));
-  };
-  if (most - least <= uniform.resolution || is_uniform()) {
-    const UniformFit fit = fit_uniform(uniform);
-    found = {fit.mean, fit.half_range};
-  } else if (pieces.size() > 2) {
-    const double deviation = std::sqrt(squares * n / (n - 1.0));
-    const double t = boost::math::quantile(boost::math::students_t(n - 1.0),
-                                           0.5 * (1.0 + confidence));
-    const double off = t * deviation / std::sqrt(n);
-    found.mean = {mean, mean - off, mean + off};
-    const double half = root_three * deviation;
-    const double error =
-        0.5 * half * std::sqrt(std::max(fourths / (squares * squares) - 1.0, 0.0) / n);
-    found.half_range = {half, std::max(half - t * error, 0.0), half + t * error};
-  } else {
-    found.mean = {mean, unknown, unknown};
-    found.half_range = exactly(0.0);
-  }
-  found.mean.value += middle, found.mean.low += middle, found.mean.high += middle;
-  return found;
 }
 
 class SetFitter {
@@ -97,7 +42,7 @@ class SetFitter {
   SetFit family(int id, const Family& family) {
     fit_.id = id;
     fit_.family = family;
-    const Directions directions = directions_of(pieces_, family.mean);
+    const DirectionFit directions = fit_directions(pieces_, family.mean);
     fit_.dip = directions.mean;
     fit_.ddev = directions.half_range;
     constexpr double most_deviation = 89.0;  // JSET takes less than 90
@@ -190,7 +135,7 @@ class SetFitter {
     note_connected();
     fit_lengths();
     const Tracks tracks = find_tracks(pieces_, network_.window, fit_.dip.value,
-                                      fit_.ddev.value / root_three);
+                                      fit_.ddev.value / std::numbers::sqrt3);
     if (!tracks.found) {
       fit_gaps_by_density();
       return;
