@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <set>
 
-#include "exchange/geojson_reader.hpp"
+#include "exchange/forms.hpp"
 #include "exchange/trace_reader.hpp"
-#include "exchange/wkt_reader.hpp"
 #include "geometry/joint_sources.hpp"
 #include "geometry/polygon.hpp"
 #include "model/settings.hpp"
 #include "run/cut_joints.hpp"
 #include "run/deck_file.hpp"
+#include "run/joint_files.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {
@@ -76,18 +76,18 @@ std::string orient(std::vector<DecimalPoint>& corners) {
 /// Reads a window, or reports why there is none.
 std::optional<std::vector<DecimalPoint>> window_of(const std::string& file) {
   const std::string text = run::read_deck(file);
-  const bool wkt = exchange::looks_like_wkt(text);
-  const exchange::OutlineFile outlines =
-      wkt ? exchange::read_wkt(text) : exchange::read_geojson(text);
+  const exchange::Form form =
+      exchange::recognise(text).value_or(exchange::Form::geojson);
+  const exchange::OutlineFile outlines = exchange::read_outlines(form, text);
   fmt::print(stderr, "{}",
              exchange::format(outlines.messages, shown_name(file),
-                              wkt ? "WKT" : "GeoJSON", text));
+                              exchange::name_of(form), text));
   if (exchange::has_errors(outlines.messages))
     return {};
   if (outlines.outlines.size() != 1) {
     refuse(fmt::format("{}: {} polygons, and a window is one", shown_name(file),
                        outlines.outlines.size()),
-           "give a file with one polygon");
+           "give a file with one polygon, or the deck that blocks import --map writes");
     return {};
   }
   std::vector<DecimalPoint> corners;
@@ -151,8 +151,9 @@ class Reader {
 
   int read_deck(const std::string& file, const std::string& text) {
     deck::Diagnostics diagnostics(shown_name(file), text);
-    const deck::Deck deck =
+    deck::Deck deck =
         deck::parse(shown_name(file), text, diagnostics, input_.overrides);
+    run::read_outline_files(deck, run::deck_folder(file), diagnostics);
     const std::size_t before = maps_.size();
     if (!diagnostics.has_errors())
       add_groups(file, deck, diagnostics);
@@ -192,8 +193,11 @@ class Reader {
       }
       const std::optional<run::CutJoints> made =
           run::cut_joints(*card,
-                          {input_.seed.value_or(seed), run::deck_folder(file),
-                           map.window, geometry::max_joint_pieces},
+                          {.seed = input_.seed.value_or(seed),
+                           .folder = run::deck_folder(file),
+                           .unit = {},
+                           .outline = map.window,
+                           .most_blocks = geometry::max_joint_pieces},
                           diagnostics);
       if (!made)
         continue;

@@ -71,9 +71,10 @@ template <class Command> int guarded(const Command& command) {
 
 void add_input_options(CLI::App& command, MapInput& input) {
   command
-      .add_option("--outline", input.outlines,
-                  "window in which the traces were mapped: GeoJSON or WKT with one "
-                  "polygon (default: the box of the traces; for a deck, its OUTLINE)")
+      .add_option(
+          "--outline", input.outlines,
+          "window in which the traces were mapped: GeoJSON, WKT or DXF with one "
+          "polygon (default: the box of the traces; for a deck, its OUTLINE)")
       ->allow_extra_args(false)
       ->take_all();
   command
@@ -117,9 +118,10 @@ void tell_doubts(const std::string& name, const joints::Network& network) {
 
 void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
   command
-      .add_option("INPUT", options.input.files,
-                  "files of traces (GeoJSON, WKT, CSV) and decks, whose joints are "
-                  "taken before they are cut; several are columns of one table")
+      .add_option(
+          "INPUT", options.input.files,
+          "files of traces (GeoJSON, WKT, DXF, CSV) and decks, whose joints are "
+          "taken before they are cut; several are columns of one table")
       ->required();
   add_input_options(command, options.input);
   add_shortest_option(command, options.shortest);
@@ -151,7 +153,7 @@ void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
 void add_joint_fit_options(CLI::App& command, JointsOptions& options) {
   command
       .add_option("INPUT", options.input.files,
-                  "a file of traces (GeoJSON, WKT, CSV), or a deck with one group "
+                  "a file of traces (GeoJSON, WKT, DXF, CSV), or a deck with one group "
                   "OUTLINE ... CUT")
       ->required()
       ->expected(1);

@@ -221,11 +221,15 @@ class Generator {
   void generate(const deck::Traces& card) {
     const std::size_t first = made_.segments.size();
     const std::vector<exchange::Trace>& traces = traces_.at(&card);
-    for (const exchange::Trace& trace : traces)
-      for (std::size_t i = 1; i < trace.points.size(); ++i)
-        made_.segments.push_back(
-            {trace.points[i - 1], trace.points[i],
-             trace.joint.value_or(static_cast<int>(card.id.value))});
+    for (const exchange::Trace& trace : traces) {
+      const int id = trace.joint.value_or(static_cast<int>(card.id.value));
+      geometry::ExactPoint from = trace.points.front();
+      for (std::size_t i = 1; i < trace.points.size(); ++i) {
+        geometry::ExactPoint to = trace.points[i];
+        made_.segments.push_back({from, to, id});
+        from = std::move(to);  // the segments of a polyline share their points
+      }
+    }
     warn_if_far(first, card.where, "TRACES", "no trace of this file meets the outline",
                 "give the outline and the traces in the same coordinates");
     mapped_.push_back({&card, first, made_.segments.size(), mean_extent(traces)});

@@ -55,6 +55,22 @@ TEST(JointsCommand, ComparesAMapWithADeck) {
   EXPECT_EQ(nlohmann::json::parse(slurp(folder / "both.json"))["maps"].size(), 2U);
 }
 
+// The bends of a polyline are no nodes, in a deck as in a file.
+TEST(JointsCommand, APolylineIsOneTraceInADeckToo) {
+  const TemporaryFolder folder;
+  folder.write("bent.wkt", "LINESTRING (1.1 5.3, 3.7 5.9, 6.3 4.7, 8.9 5.1)\n");
+  folder.write("d.deck", "START, 9, 9\nBENT\nXLIMITS, -1, 11\nYLIMITS, -1, 11\nBOXES, "
+                         "2, 2, .1\nSTIFF, 1.E8, 1.E8\nMATERIAL, 1, 1.E10, 4.E9, "
+                         "2500\nRIGID\nEND\nOUTLINE, 4, 1\n0, 0, 10, 10\n0, 10, 10, "
+                         "0\nTRACES, bent.wkt, 1\nCUT\nSTOP\n");
+  const Outcome deck = blocks("joints statistics d.deck --json", folder.path());
+  ASSERT_EQ(deck.code, 0) << deck.err;
+  EXPECT_EQ(deck.err, "");
+  const auto map = nlohmann::json::parse(deck.out)["maps"][0];
+  EXPECT_EQ(map["nodes"]["i"], 2);
+  EXPECT_EQ(map["branches"]["number"], 1.0);
+}
+
 // The joints of a deck are those before they are cut: P21 is that of the report of CUT.
 TEST(JointsCommand, TheDensityOfADeckIsThatOfItsCut) {
   const TemporaryFolder folder;
