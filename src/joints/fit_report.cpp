@@ -37,8 +37,8 @@ const char* name_of(JointLaw law) {
 /// Whether the field matters for the set; others are 0 by definition.
 bool matters(const SetFit& set, const Field& field) {
   const std::string name = field.name;
-  const bool through = set.trace.value == 0.0;
-  if (through && (name == "tdev" || name == "gap" || name == "gdev"))
+  const bool plain = set.trace.value == 0.0 || set.until > 0;
+  if (plain && (name == "tdev" || name == "gap" || name == "gdev"))
     return false;
   if (set.law == JointLaw::poisson && (name == "dip" || name == "ddev"))
     return false;
@@ -109,8 +109,9 @@ std::string set_card(const SetFit& set, int decimals) {
   card += fmt::format("JSET, {}", set.id);
   for (const Field& field : fields)
     card += ", " + value(field);
-  return card + fmt::format(", {:.{}f}, {:.{}f}, {}\n", set.start.x(), decimals,
-                            set.start.y(), decimals, name_of(set.law));
+  return card + fmt::format(", {:.{}f}, {:.{}f}, {}{}\n", set.start.x(), decimals,
+                            set.start.y(), decimals, name_of(set.law),
+                            set.until > 0 ? fmt::format(", {}", set.until) : "");
 }
 
 }  // namespace
@@ -153,8 +154,10 @@ std::string fit_deck(const NetworkFit& fit, const TraceMap& map,
           "$ SEED, n               another n makes another map of the same kind\n"
           "RIGID\nEND\n";
   deck += fmt::format("OUTLINE, {}, 1\n{}{}", x.size(), values(x), values(y));
-  for (const SetFit& set : fit.sets)
-    deck += set_card(set, decimals);
+  for (const bool ends_at_set : {false, true})  // the cards at which others end first
+    for (const SetFit& set : fit.sets)
+      if ((set.until > 0) == ends_at_set)
+        deck += set_card(set, decimals);
   // Slivers would make the time step short.
   deck +=
       fmt::format("$ Cells below a hundredth of the area of a usual block are merged "
@@ -173,6 +176,8 @@ std::string fit_text(const NetworkFit& fit) {
         text += fmt::format("  {:<5} {:>10.4g} [{}]  95 %: {}\n", field.name,
                             (set.*field.value).value, field.unit,
                             interval(set.*field.value));
+    if (set.until > 0)
+      text += fmt::format("  until {:>10}\n", set.until);
     for (const std::string& note : set.notes)
       text += "  " + note + "\n";
   }
@@ -200,6 +205,8 @@ std::string fit_json(const NetworkFit& fit, const TraceMap& map) {
     }
     one["x0"] = set.start.x();
     one["y0"] = set.start.y();
+    if (set.until > 0)
+      one["until"] = set.until;
     one["notes"] = set.notes;
     all["sets"].push_back(std::move(one));
   }

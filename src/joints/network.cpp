@@ -191,6 +191,14 @@ class Counter {
       describe(network_.pieces[piece], ends_of[piece], given, piece);
   }
 
+  /// Another trace at the node; 0: none.
+  int host_of(int trace, int node) const {
+    for (const std::size_t e : edges_at_[at(node)])
+      if (graph_.edges[e].trace != trace)
+        return graph_.edges[e].trace;
+    return 0;
+  }
+
   void describe(Piece& piece, const std::vector<int>& ends,
                 const std::pair<Vec2, Vec2>& given, std::size_t number) {
     for (const int end : ends) {
@@ -201,7 +209,8 @@ class Counter {
       } else if (!cut_[at(end)] && place != given.first && place != given.second) {
         ++network_.overlaps;
       }
-      piece.connected += end_at(end) == End::connected ? 1 : 0;
+      if (end_at(end) == End::connected)
+        piece.hosts[at(std::min(piece.connected++, 1))] = host_of(piece.trace, end);
     }
     piece.hidden = std::min(piece.hidden, 2);
     Vec2 along;

@@ -37,7 +37,8 @@ struct Piece {
   geometry::Vec2 from = geometry::Vec2::Zero();  ///< [L] an end
   geometry::Vec2 to = geometry::Vec2::Zero();    ///< [L] the other; equal for a loop
   bool from_hidden = false, to_hidden = false;   ///< whether it is beyond the window
-  int connected = 0;       ///< number of ends at another trace: 0, 1 or 2
+  int connected = 0;                  ///< number of ends at another trace: 0, 1 or 2
+  std::array<int, 2> hosts = {0, 0};  ///< numbers of these traces; 0: none
   double direction = 0.0;  ///< degrees from x, 0 <= direction < 180, from end to end
 };
 

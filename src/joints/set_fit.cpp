@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "joints/direction_fit.hpp"
@@ -39,7 +40,8 @@ class SetFitter {
     fit_.p21 = density_.p21.value;
   }
 
-  SetFit family(int id, const Family& family) {
+  /// until: the id of the set at which the traces end; 0: none.
+  SetFit family(int id, const Family& family, int until) {
     fit_.id = id;
     fit_.family = family;
     const DirectionFit directions = fit_directions(pieces_, family.mean);
@@ -48,7 +50,9 @@ class SetFitter {
     constexpr double most_deviation = 89.0;  // JSET takes less than 90
     if (fit_.ddev.value > most_deviation)
       fit_.ddev.value = most_deviation;
-    if (runs_through())
+    if (until > 0)
+      fit_until(until);
+    else if (runs_through())
       fit_through();
     else
       fit_traces();
@@ -109,6 +113,34 @@ class SetFitter {
     take(fit_spacing(sample));
     if (sample.spacings.size() < 5)
       note(fmt::format("only {} spacings were seen", sample.spacings.size()));
+  }
+
+  /// Traces from one joint of another set to the next one. A trace that is longer than
+  /// these are apart makes one such joint about its middle, which lies in a wide
+  /// interval more often than in a narrow one. So the mean length of the joints is that
+  /// of the map weighted with length, and space keeps P21.
+  void fit_until(int until) {
+    fit_.until = until;
+    double sum = 0.0, squares = 0.0, longest = 0.0;
+    for (const Piece& piece : pieces_) {
+      longest = std::max(longest, piece.length);
+      if (piece.hidden > 0)
+        continue;
+      sum += piece.length;
+      squares += piece.length * piece.length;
+    }
+    const double mean = sum > 0.0 ? squares / sum : longest;
+    constexpr double surely_longer = 2.5;
+    const double trace = surely_longer * longest;
+    fit_.trace = exactly(trace);
+    fit_.tdev = fit_.gap = fit_.gdev = fit_.sdev = exactly(0.0);
+    fit_.law = JointLaw::negexp;
+    fit_.space = {mean / (density_.p21.value * trace),
+                  mean / (density_.p21.high * trace),
+                  mean / (density_.p21.low * trace)};
+    note(fmt::format("most traces end at set {}: those of JSET do too; trace is longer "
+                     "than its joints are apart, and space follows from P21",
+                     until));
   }
 
   void take(const SpacingFit& spacing) {
@@ -259,6 +291,41 @@ class SetFitter {
 
 }  // namespace
 
+namespace {
+
+/// Returns the family at which most visible ends of the traces of each family are; -1:
+/// none, or it ends at another one itself.
+std::vector<int> families_at_ends(const Network& network, const Mixture& mixture) {
+  const std::size_t n = mixture.families.size();
+  std::map<int, int> family_of;  // of a trace
+  for (std::size_t i = 0; i < network.pieces.size(); ++i)
+    family_of.emplace(network.pieces[i].trace, mixture.member[i]);
+  std::vector<std::vector<double>> at(n, std::vector<double>(n, 0.0));
+  std::vector<double> visible(n, 0.0);
+  for (std::size_t i = 0; i < network.pieces.size(); ++i) {
+    if (mixture.member[i] < 0)
+      continue;
+    const auto k = static_cast<std::size_t>(mixture.member[i]);
+    visible[k] += 2 - network.pieces[i].hidden;
+    for (const int host : network.pieces[i].hosts)
+      if (host > 0 && family_of.at(host) >= 0)
+        ++at[k][static_cast<std::size_t>(family_of.at(host))];
+  }
+  constexpr double most = 0.75;
+  std::vector<int> until(n, -1);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != k && visible[k] > 0.0 && at[k][j] >= most * visible[k])
+        until[k] = static_cast<int>(j);
+  std::vector<int> result = until;
+  for (std::size_t k = 0; k < n; ++k)
+    if (until[k] >= 0 && until[static_cast<std::size_t>(until[k])] >= 0)
+      result[k] = -1;
+  return result;
+}
+
+}  // namespace
+
 NetworkFit fit_sets(const Network& network, double shortest, int most) {
   NetworkFit fit;
   std::vector<double> directions;
@@ -272,10 +339,12 @@ NetworkFit fit_sets(const Network& network, double shortest, int most) {
       members.push_back(member == k ? 1 : 0);
     return members;
   };
+  const std::vector<int> until = families_at_ends(network, mixture);
   int id = 0;
   for (const Family& family : mixture.families) {
     SetFitter fitter(network, shortest, chosen(id));
-    fit.sets.push_back(fitter.family(id + 1, family));
+    fit.sets.push_back(
+        fitter.family(id + 1, family, until[static_cast<std::size_t>(id)] + 1));
     ++id;
   }
   constexpr long fewest = 3;

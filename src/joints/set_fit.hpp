@@ -24,6 +24,7 @@ struct SetFit {
   Estimate trace, tdev;                           ///< [L]; trace 0: joints run through
   Estimate gap, gdev;                             ///< [L]
   geometry::Vec2 start = geometry::Vec2::Zero();  ///< [L] x0, y0
+  int until = 0;  ///< id of the set at which the traces end; 0: in the rock
   std::vector<std::string> notes;  ///< what the map does not tell, one per line
 };
 

@@ -15,6 +15,12 @@ using testing::joint_set;
 using testing::rectangle;
 using testing::SetNumbers;
 
+SetNumbers numbers_of(const SetFit& set) {
+  return {set.dip.value,   set.ddev.value, set.space.value, set.sdev.value,
+          set.trace.value, set.tdev.value, set.gap.value,   set.gdev.value,
+          set.start.x(),   set.start.y(),  set.law};
+}
+
 /// Fits 50 maps of a case. Every field of every set must be covered in at least 41 of
 /// them: 47.5 are expected, and 41 are 4 deviations less.
 void expect_recovery(const std::string& name) {
@@ -69,13 +75,43 @@ TEST(SetFit, AFitOfAFitHasTheSameDensity) {
     const SetFit set =
         fit_sets(network_of(generated(rectangle(40.0, 30.0), {joint_set(given)}, seed)))
             .sets.at(0);
-    SetNumbers made{set.dip.value,   set.ddev.value, set.space.value, set.sdev.value,
-                    set.trace.value, set.tdev.value, set.gap.value,   set.gdev.value,
-                    set.start.x(),   set.start.y(),  set.law};
+    const SetNumbers made = numbers_of(set);
     map += set.p21 / 20.0;
     const Network again =
         network_of(generated(rectangle(40.0, 30.0), {joint_set(made)}, seed + 1000));
     model += again.length() / again.area / 20.0;
+  }
+  EXPECT_NEAR(model / map, 1.0, 0.06);
+}
+
+/// Beds, and cross joints that end at them.
+TraceMap beds_and_cross_joints(const SetNumbers& beds, const SetNumbers& cross,
+                               std::uint64_t seed) {
+  const auto window = rectangle(40.0, 30.0);
+  TraceMap map = generated(window, {joint_set(beds)}, seed);
+  const TraceMap whole = generated(window, {joint_set(cross)}, seed + 500);
+  for (const auto& one : geometry::ended_at(whole.segments, map.segments, {}))
+    map.segments.push_back({one.from, one.to, ++map.traces});
+  return map;
+}
+
+// The beds are apart by different distances, so the middle of a trace is in a wide
+// interval more often. The model has the length per area of the map all the same.
+TEST(SetFit, TracesThatEndAtBedsGetUntil) {
+  const SetNumbers beds{10, .5, 2, 1.2, 0, 0, 0, 0, -3, -7};
+  const SetNumbers cross{100, 8, 1.5, 0, 9, 0, 0, 0, -3, -7, JointLaw::negexp};
+  double map = 0.0, model = 0.0;
+  for (unsigned seed = 1; seed <= 15; ++seed) {
+    const Network network = network_of(beds_and_cross_joints(beds, cross, seed));
+    const NetworkFit fit = fit_sets(network);
+    ASSERT_EQ(fit.sets.size(), 2U);
+    EXPECT_EQ(fit.sets[0].until, 0);
+    ASSERT_EQ(fit.sets[1].until, 1);
+    map += network.length() / network.area / 15.0;
+    const Network again = network_of(beds_and_cross_joints(
+        numbers_of(fit.sets[0]), numbers_of(fit.sets[1]), seed + 1000));
+    model += again.length() / again.area / 15.0;
+    EXPECT_GT(again.nodes.y, 10 * again.nodes.i);
   }
   EXPECT_NEAR(model / map, 1.0, 0.06);
 }
