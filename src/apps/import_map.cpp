@@ -115,6 +115,26 @@ std::optional<std::string> outline_layer(std::vector<Layer>& layers) {
   return closed.front()->name;
 }
 
+/// Whether a card can have this name or path.
+bool can_be_quoted(const std::string& word) {
+  const bool has_control = std::any_of(word.begin(), word.end(), [](char c) {
+    return static_cast<unsigned char>(c) < ' ';
+  });
+  return !has_control && (word.find('\'') == word.npos || word.find('"') == word.npos);
+}
+
+/// Refuses layers whose names no card can have.
+void check_names(const std::vector<Layer>& layers,
+                 const std::optional<std::string>& outline) {
+  for (const Layer& layer : layers) {
+    const bool is_named = layer.role == Role::joints || layer.name == outline;
+    if (is_named && !can_be_quoted(layer.name))
+      throw Refusal{fmt::format("the layer {} cannot be named in a deck",
+                                exchange::name_in_deck(layer.name)),
+                    "rename it in the drawing, or leave it out with --layer NAME=skip"};
+  }
+}
+
 /// Gives each layer of joints without an id the number in its name, or the smallest
 /// that is left.
 void number(std::vector<Layer>& layers) {
@@ -228,6 +248,11 @@ int import_map(ImportOptions options) {
   if (options.file == "-")
     return refuse(run::usage_error,
                   "--map needs the name of a file, which the deck names", "");
+  for (const std::string& file : {options.file, options.outline})
+    if (!can_be_quoted(file))
+      return refuse(run::usage_error,
+                    exchange::name_in_deck(file) + " cannot be named in a deck",
+                    "rename the file");
   if (options.output.empty())
     options.output = fs::path(options.file).stem().string() + ".deck";
   if (same_file(options.file, options.output))
@@ -248,6 +273,7 @@ int import_map(ImportOptions options) {
     give_roles(options.layers, layers);
     if (options.outline.empty())
       of_outline = outline_layer(layers);
+    check_names(layers, of_outline);
     number(layers);
   } catch (const Refusal& refusal) {
     return refuse(run::usage_error, refusal.message, refusal.hint);

@@ -75,6 +75,23 @@ TEST(Map, TakesTheOutlineFromAnotherFileOrTheBoxOfTheTraces) {
   EXPECT_THAT(slurp(folder / "g.deck"), HasSubstr("OUTLINE, , 1, 'o.wkt'\n"));
 }
 
+// Names with one kind of quotes, commas and $ are kept; a card cannot have both quotes.
+TEST(Map, KeepsOddNamesOfLayers) {
+  const TemporaryFolder folder;
+  const std::string odd = dxf_ring("win", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}) +
+                          dxf_line("a$b", -1, 1, 5, 1) + dxf_line("it's", -1, 2, 5, 2) +
+                          dxf_line("x, \"y\"", -1, 3, 5, 3);
+  folder.write("m.dxf", dxf_drawing(odd));
+  ASSERT_EQ(blocks("import m.dxf --map", folder.path()).code, 0);
+  const Outcome check = blocks("check m.deck", folder.path());
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("4 blocks"));
+  folder.write("m.dxf", dxf_drawing(odd + dxf_line("q\"u'o", -1, 3.5, 5, 3.5)));
+  const Outcome refused = blocks("import m.dxf --map", folder.path());
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("cannot be named in a deck"));
+}
+
 // A bed that ends a centimetre before the boundary cuts after --snap only.
 TEST(Map, ProposesAndTakesSnap) {
   const TemporaryFolder folder;
