@@ -13,7 +13,6 @@
 #include "geometry/cut_graph.hpp"
 #include "geometry/exact/cut_rounding.hpp"
 #include "geometry/exact/joint_arrangement.hpp"
-#include "geometry/exact/shared_point.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "geometry/polygon.hpp"
 
@@ -21,7 +20,7 @@ namespace blocks::geometry {
 namespace {
 
 constexpr auto at = CutGraph::at;
-using exact::Line;
+using exact::Lines;
 using exact::Point;
 using exact::Rational;
 
@@ -89,7 +88,7 @@ void check_request(const CutRequest& request, const std::vector<Point>& outline,
            place, "give a part of the smallest cell that matters");
 }
 
-std::size_t join_straight_edges(CutGraph& graph, const std::vector<Line>& lines) {
+std::size_t join_straight_edges(CutGraph& graph, const Lines& lines) {
   std::size_t joined = 0;
   for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
     if (graph.vertices[at(v)].half_edge >= 0 && graph.degree(v) == 2 &&
@@ -101,7 +100,7 @@ std::size_t join_straight_edges(CutGraph& graph, const std::vector<Line>& lines)
 }
 
 // Copies vertices, cells and outline into the result, and counts T and X vertices.
-StraightCorners fill_mesh(const CutGraph& graph, const std::vector<Line>& lines,
+StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines,
                           CutResult& result) {
   Mesh& mesh = result.mesh;
   std::vector<int> number(graph.vertices.size(), -1);
@@ -197,9 +196,9 @@ void protect(CutGraph& graph, const std::vector<int>& joints) {
 
 // Cleans and certifies the cells of a graph. repair: edges up to this length, [L], are
 // contracted in any case. part: what the work takes of the progress.
-CutResult cleaned(const CutRequest& request, CutGraph graph,
-                  const std::vector<Line>& lines, const CutReport& report,
-                  double repair, const std::pair<double, double>& part) {
+CutResult cleaned(const CutRequest& request, CutGraph graph, const Lines& lines,
+                  const CutReport& report, double repair,
+                  const std::pair<double, double>& part) {
   const double middle = part.first + (part.second - part.first) / 3.0;
   CutResult result;
   result.report = report;
@@ -261,14 +260,6 @@ void prune(CutGraph& graph, double area, CutReport& report) {
 }
 
 }  // namespace
-
-ExactPoint::ExactPoint(const Vec2& p) : nearest_(p) {}
-
-ExactPoint::ExactPoint(const DecimalPoint& p)
-    : ExactPoint(exact::exact_point(exact::rational(p))) {}
-
-ExactPoint::ExactPoint(std::shared_ptr<const exact::SharedPoint> point)
-    : nearest_(exact::nearest(point->point)), exact_(std::move(point)) {}
 
 CutResult cut_outline(const CutRequest& request) {
   const RoundToNearest mode;

@@ -18,10 +18,6 @@
 
 namespace blocks::geometry {
 
-namespace exact {
-struct SharedPoint;  // rational coordinates, see exact/shared_point.hpp
-}
-
 /// A point with exact rational coordinates, [L]. Copies are cheap.
 class ExactPoint {
  public:
@@ -29,15 +25,16 @@ class ExactPoint {
   ExactPoint(const Vec2& p);  // NOLINT(google-explicit-constructor)
   /// The point as the deck gives it.
   ExactPoint(const DecimalPoint& p);  // NOLINT(google-explicit-constructor)
-  explicit ExactPoint(std::shared_ptr<const exact::SharedPoint> point);
+  /// Exact coordinates that are not doubles, see geometry/exact/shared_point.hpp.
+  ExactPoint(const Vec2& nearest, std::shared_ptr<const unsigned long[]> packed);
   /// The nearest doubles, [L].
   const Vec2& nearest() const { return nearest_; }
   /// The rational coordinates, or null if the nearest doubles are exact.
-  const exact::SharedPoint* rational() const { return exact_.get(); }
+  const unsigned long* packed() const { return packed_.get(); }
 
  private:
   Vec2 nearest_;
-  std::shared_ptr<const exact::SharedPoint> exact_;
+  std::shared_ptr<const unsigned long[]> packed_;
 };
 
 /// The largest coordinate of a domain or of a Voronoi point, [L]. Predicates have at

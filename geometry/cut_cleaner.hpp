@@ -17,7 +17,7 @@ namespace blocks::geometry {
 class CutCleaner {
  public:
   /// repair: as in CleaningLimits.
-  CutCleaner(CutGraph& graph, const std::vector<exact::Line>& lines, double repair,
+  CutCleaner(CutGraph& graph, const exact::Lines& lines, double repair,
              CutReport& report, StepProgress& progress)
       : graph_(graph), lines_(lines), repair_(repair), report_(report),
         progress_(progress), validity_(graph) {}
@@ -85,7 +85,7 @@ class CutCleaner {
   void join_if_straight(int vertex, std::map<int, int>& first);
 
   CutGraph& graph_;
-  const std::vector<exact::Line>& lines_;
+  const exact::Lines& lines_;
   double repair_;  ///< [L] longest edge that moves a protected vertex
   CutReport& report_;
   StepProgress& progress_;

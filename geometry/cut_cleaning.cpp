@@ -5,8 +5,7 @@
 
 namespace blocks::geometry {
 
-bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines,
-                    int vertex) {
+bool is_superfluous(const CutGraph& graph, const exact::Lines& lines, int vertex) {
   const CutGraph::Vertex& v = graph.vertices[CutGraph::at(vertex)];
   if (v.corner >= 0)
     return false;
@@ -18,8 +17,8 @@ bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines
           exact::parallel(lines[CutGraph::at(a.line)], lines[CutGraph::at(b.line)]));
 }
 
-void clean(CutGraph& graph, const std::vector<exact::Line>& lines,
-           const CleaningLimits& limits, CutReport& report, StepProgress progress) {
+void clean(CutGraph& graph, const exact::Lines& lines, const CleaningLimits& limits,
+           CutReport& report, StepProgress progress) {
   CutCleaner cleaner(graph, lines, limits.repair, report, progress);
   // Edges whose contraction was not possible may be contracted after a merge. Each
   // round removes a vertex or a cell, so the loop ends.

@@ -10,7 +10,7 @@
 namespace blocks::geometry {
 
 namespace exact {
-struct Line;
+class Lines;
 }
 
 struct CleaningLimits {
@@ -23,12 +23,11 @@ struct CleaningLimits {
 /// cells, and vertices in an order that does not depend on that of the joints. A
 /// cell that is simple and clockwise remains so; another one may stay as it is. lines:
 /// of the segments.
-void clean(CutGraph& graph, const std::vector<exact::Line>& lines,
-           const CleaningLimits& limits, CutReport& report, StepProgress progress);
+void clean(CutGraph& graph, const exact::Lines& lines, const CleaningLimits& limits,
+           CutReport& report, StepProgress progress);
 
 /// Tests whether the two edges of a vertex of degree two are collinear and may become
 /// one: they have one joint id, and the vertex is not a corner of the outline.
-bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines,
-                    int vertex);
+bool is_superfluous(const CutGraph& graph, const exact::Lines& lines, int vertex);
 
 }  // namespace blocks::geometry

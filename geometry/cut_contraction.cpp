@@ -20,10 +20,9 @@ bool CutCleaner::lies_on(const CutGraph::Vertex& vertex, int line) const {
     return true;
   if (vertex.first < 0 || vertex.second < 0)
     return false;
-  const exact::Place p =
-      exact::intersection(lines_[at(vertex.first)], lines_[at(vertex.second)]);
-  const exact::Line& l = lines_[at(line)];
-  return l.a * p.x + l.b * p.y + l.c * p.w == 0;
+  exact::Place place;
+  place.set(lines_[at(vertex.first)], lines_[at(vertex.second)]);
+  return exact::side_of(lines_[at(line)], place) == 0;
 }
 
 // Tests the link condition: the ends share no neighbours other than those of triangles

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "geometry/exact/box_pairs.hpp"
-#include "geometry/exact/line.hpp"
 #include "geometry/exact/shared_point.hpp"
 #include "geometry/joint_sources.hpp"
 #include "geometry/numeric_environment.hpp"

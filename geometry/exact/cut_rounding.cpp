@@ -8,7 +8,7 @@ namespace blocks::geometry {
 namespace {
 
 constexpr auto at = CutGraph::at;
-using exact::Line;
+using exact::Lines;
 using exact::Point;
 using exact::Rational;
 
@@ -67,8 +67,10 @@ class Rounder {
  private:
   Point exact_place(const CutGraph::Vertex& v) const {
     if (v.point >= 0)
-      return points_[at(v.point)];
-    return exact::intersection(lines_[at(v.first)], lines_[at(v.second)]).reduced();
+      return exact::point_of(points_[at(v.point)]);
+    exact::Place place;
+    place.set(lines_[at(v.first)], lines_[at(v.second)]);
+    return place.reduced();
   }
   Vec2 round(const CutGraph::Vertex& v) const {
     if (v.corner >= 0)
@@ -129,8 +131,8 @@ class Rounder {
   }
 
   const CutGraph& graph_;
-  const std::vector<Line>& lines_;
-  const std::vector<Point>& points_;
+  const Lines& lines_;
+  const std::vector<ExactPoint>& points_;
   const std::vector<Point>& outline_;
   const std::vector<Vec2>& corners_;
   std::vector<Vec2> places_;

@@ -6,7 +6,6 @@
 #include "geometry/cut.hpp"
 #include "geometry/cut_graph.hpp"
 #include "geometry/exact/line.hpp"
-#include "geometry/exact/shared_point.hpp"
 
 namespace blocks::geometry::exact {
 
@@ -14,8 +13,8 @@ namespace blocks::geometry::exact {
 /// outline, then the joints.
 struct JointArrangement {
   CutGraph graph;
-  std::vector<Line> lines;
-  std::vector<Point> points;  ///< places of vertices that have no second line
+  Lines lines;
+  std::vector<ExactPoint> points;  ///< places of vertices that have no second line
 };
 
 /// Arranges outline and joints; edges outside of the outline are left out. The places

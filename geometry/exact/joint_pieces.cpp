@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "geometry/exact/shared_point.hpp"
@@ -11,145 +13,214 @@
 namespace blocks::geometry::exact {
 namespace {
 
-// Cuts off what is outside the window. Returns false if nothing remains.
-bool clip(Point& p, Point& q) {
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Returns the part of p -> q inside the window, or nothing. Products of coordinates
+// beyond it could overflow.
+std::optional<std::pair<ExactPoint, ExactPoint>> clipped(const ExactPoint& from,
+                                                         const ExactPoint& to) {
   const Rational limit(4.0 * largest_coordinate);
+  const Point p = point_of(from), q = point_of(to);
   Rational first = 0, last = 1;  // of p + t (q - p)
   const auto d = q - p;
-  for (const auto& [from, run] : {std::pair(p.x(), d.x()), std::pair(p.y(), d.y())}) {
+  for (const auto& [start, run] : {std::pair(p.x(), d.x()), std::pair(p.y(), d.y())}) {
     if (run == 0) {
-      if (abs(from) > limit)
-        return false;
+      if (abs(start) > limit)
+        return {};
       continue;
     }
-    Rational in = (-limit - from) / run, out = (limit - from) / run;
+    Rational in = (-limit - start) / run, out = (limit - start) / run;
     if (out < in)
       std::swap(in, out);
     first = std::max(first, in);
     last = std::min(last, out);
   }
   if (!(first < last))
-    return false;
-  const Point start = p;
-  p = start + first * d;
-  q = start + last * d;
-  return true;
+    return {};
+  return std::pair(exact_point(p + first * d), exact_point(p + last * d));
 }
 
 bool is_far(const ExactPoint& p) {
   return p.nearest().cwiseAbs().maxCoeff() > 4.0 * largest_coordinate;
 }
 
-// Groups and sorts pieces by the line and the order along it.
-class Overlaps {
+// Collects the ends of sides and joints, and numbers them in their order.
+class Ends {
  public:
-  explicit Overlaps(std::vector<JointPiece> pieces) : pieces_(std::move(pieces)) {
-    for (JointPiece& piece : pieces_) {
-      if (precedes(piece.to, piece.from))
-        std::swap(piece.from, piece.to);
-      Line& line = piece.line;
-      if (line.a < 0 || (line.a == 0 && line.b < 0)) {
-        line.a = -line.a;
-        line.b = -line.b;
-        line.c = -line.c;
-        line.run = -line.run;
-        line.rise = -line.rise;
-      }
-      starts_.push_back(nearest(piece.from));
-    }
+  void reserve(std::size_t count) { points_.reserve(count); }
+  void add(ExactPoint from, ExactPoint to) {
+    points_.push_back(std::move(from));
+    points_.push_back(std::move(to));
   }
-
-  std::vector<JointPiece> split() {
-    std::vector<std::size_t> order(pieces_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(),
-              [this](std::size_t i, std::size_t j) { return less(i, j); });
-    std::vector<std::size_t> run;  // pieces of one line without gaps between them
-    const JointPiece* farthest = nullptr;
-    for (const std::size_t i : order) {
-      const JointPiece& piece = pieces_[i];
-      if (!run.empty() && (compare(pieces_[run[0]].line, piece.line) != 0 ||
-                           !precedes(piece.from, farthest->to))) {
-        split_run(run);
-        run.clear();
-      }
-      if (run.empty() || precedes(farthest->to, piece.to))
-        farthest = &piece;
-      run.push_back(i);
+  std::size_t size() const { return points_.size(); }
+  // Returns the different points in their order, and the number of each one added.
+  std::vector<ExactPoint> sorted(std::vector<int>& numbers, StepProgress& progress) {
+    std::vector<int> order(points_.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = static_cast<int>(i);
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+      progress.count(0, 1);
+      return compare(points_[at(i)], points_[at(j)]) < 0;
+    });
+    std::vector<ExactPoint> result;
+    result.reserve(points_.size());
+    numbers.resize(points_.size());
+    for (const int i : order) {
+      progress.count(0, 1);
+      ExactPoint& point = points_[at(i)];
+      if (result.empty() || compare(result.back(), point) != 0)
+        result.push_back(std::move(point));
+      numbers[at(i)] = static_cast<int>(result.size()) - 1;
     }
-    split_run(run);
-    return std::move(result_);
+    return result;
   }
 
  private:
-  static bool precedes(const Point& p, const Point& q) {
-    return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-  }
-  static int compare(const Line& s, const Line& t) {
-    for (const auto member : {&Line::a, &Line::b, &Line::c})
-      if (const int sign = mpz_cmp((s.*member).mpz(), (t.*member).mpz()); sign != 0)
-        return sign;
-    return 0;
-  }
-  bool less(std::size_t i, std::size_t j) const {
-    if (const int sign = compare(pieces_[i].line, pieces_[j].line); sign != 0)
-      return sign < 0;
-    const Vec2 &p = starts_[i], &q = starts_[j];
-    if (p != q)
-      return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-    if (pieces_[i].from != pieces_[j].from)
-      return precedes(pieces_[i].from, pieces_[j].from);
-    return i < j;
+  std::vector<ExactPoint> points_;
+};
+
+// Splits what overlaps on one line at all ends.
+class Overlaps {
+ public:
+  Overlaps(const std::vector<Piece>& given, JointPieces& result)
+      : given_(given), result_(result) {}
+
+  void split(StepProgress& progress) {
+    struct Keyed {
+      std::uint64_t line;  ///< equal for equal lines
+      int from, index;
+    };
+    std::vector<Keyed> order;
+    order.reserve(given_.size());
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      progress.count(0, 1);
+      order.push_back({result_.lines.hash(i), given_[i].from, static_cast<int>(i)});
+    }
+    std::sort(order.begin(), order.end(), [&](const Keyed& a, const Keyed& b) {
+      progress.count(0, 1);
+      return a.line != b.line   ? a.line < b.line
+             : a.from != b.from ? a.from < b.from
+                                : a.index < b.index;
+    });
+    for (std::size_t i = 0; i < order.size();) {
+      progress.count(0, 1);
+      std::vector<std::vector<int>> lines;  // usually one
+      std::size_t end = i;
+      for (; end < order.size() && order[end].line == order[i].line; ++end) {
+        const int index = order[end].index;
+        const auto same =
+            std::find_if(lines.begin(), lines.end(), [&](const std::vector<int>& line) {
+              return result_.lines.are_equal(at(line.front()), at(index));
+            });
+        (same == lines.end() ? lines.emplace_back() : *same).push_back(index);
+      }
+      for (const std::vector<int>& line : lines)
+        split_line(line);
+      i = end;
+    }
   }
 
-  // Splits overlapping pieces of one line at all their ends.
-  void split_run(const std::vector<std::size_t>& run) {
-    if (run.size() < 2) {
-      for (const std::size_t i : run)
-        result_.push_back(pieces_[i]);
+ private:
+  // line: ascending by their first ends.
+  void split_line(const std::vector<int>& line) {
+    std::vector<int> run;  // without gaps
+    int farthest = -1;
+    for (const int i : line) {
+      const Piece& one = given_[at(i)];
+      if (!run.empty() && one.from >= farthest) {
+        split_run(run);
+        run.clear();
+      }
+      farthest = run.empty() ? one.to : std::max(farthest, one.to);
+      run.push_back(i);
+    }
+    split_run(run);
+  }
+
+  void split_run(const std::vector<int>& run) {
+    if (run.size() == 1) {
+      result_.pieces.push_back(given_[at(run[0])]);
       return;
     }
-    std::vector<Point> ends;
-    for (const std::size_t i : run)
-      ends.insert(ends.end(), {pieces_[i].from, pieces_[i].to});
-    std::sort(ends.begin(), ends.end(), precedes);
+    std::vector<int> ends;
+    for (const int i : run)
+      ends.insert(ends.end(), {given_[at(i)].from, given_[at(i)].to});
+    std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    std::vector<std::size_t> by_end = run;
-    std::sort(by_end.begin(), by_end.end(), [this](std::size_t i, std::size_t j) {
-      return precedes(pieces_[i].to, pieces_[j].to);
-    });
-    std::multiset<int> joints;  // of the pieces that contain the present part
+    std::vector<int> by_end = run;
+    std::sort(by_end.begin(), by_end.end(),
+              [this](int i, int j) { return given_[at(i)].to < given_[at(j)].to; });
+    std::multiset<int> joints;  // of what contains the present part
+    std::set<int> sides;        // at most one, because the outline is simple
     std::size_t begun = 0, ended = 0;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      for (; begun < run.size() && pieces_[run[begun]].from == ends[k]; ++begun)
-        joints.insert(pieces_[run[begun]].joint);
-      for (; ended < run.size() && pieces_[by_end[ended]].to == ends[k]; ++ended)
-        joints.erase(joints.find(pieces_[by_end[ended]].joint));
+      for (; begun < run.size() && given_[at(run[begun])].from == ends[k]; ++begun)
+        if (given_[at(run[begun])].outline)
+          sides.insert(run[begun]);
+        else
+          joints.insert(given_[at(run[begun])].joint);
+      for (; ended < run.size() && given_[at(by_end[ended])].to == ends[k]; ++ended)
+        if (given_[at(by_end[ended])].outline)
+          sides.erase(by_end[ended]);
+        else
+          joints.erase(joints.find(given_[at(by_end[ended])].joint));
       const auto named = joints.upper_bound(0);
-      result_.push_back({ends[k], ends[k + 1], named == joints.end() ? 0 : *named,
-                         pieces_[run[0]].line});
+      const bool on_outline = !sides.empty();
+      result_.pieces.push_back(
+          {ends[k], ends[k + 1], on_outline ? *sides.begin() : run[0],
+           on_outline || named == joints.end() ? 0 : *named, on_outline});
     }
   }
 
-  std::vector<JointPiece> pieces_, result_;
-  std::vector<Vec2> starts_;
+  const std::vector<Piece>& given_;
+  JointPieces& result_;
 };
 
 }  // namespace
 
-int common_joint(int a, int b) { return a == 0 || b == 0 ? a + b : std::min(a, b); }
-
-std::vector<JointPiece> joint_pieces(const std::vector<JointSegment>& joints) {
-  std::vector<JointPiece> pieces;
-  pieces.reserve(joints.size());
-  for (const JointSegment& joint : joints) {
-    Point p = point_of(joint.from), q = point_of(joint.to);
-    if (p == q || ((is_far(joint.from) || is_far(joint.to)) && !clip(p, q)))
-      continue;
-    const Line line(p, q);
-    pieces.push_back({p, q, joint.id, line});
+JointPieces joint_pieces(const std::vector<Point>& outline,
+                         const std::vector<JointSegment>& joints,
+                         StepProgress& progress) {
+  JointPieces result;
+  Ends ends;
+  ends.reserve(2 * (outline.size() + joints.size()));
+  std::vector<Piece> given;
+  given.reserve(outline.size() + joints.size());
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    ends.add(exact_point(outline[i]), exact_point(outline[(i + 1) % outline.size()]));
+    given.push_back({.outline = true});
   }
-  return Overlaps(std::move(pieces)).split();
+  for (const JointSegment& joint : joints) {
+    progress.count(0, 1);
+    if (compare(joint.from, joint.to) == 0)
+      continue;
+    if (!is_far(joint.from) && !is_far(joint.to)) {
+      ends.add(joint.from, joint.to);
+    } else if (auto part = clipped(joint.from, joint.to)) {
+      ends.add(std::move(part->first), std::move(part->second));
+    } else {
+      continue;
+    }
+    given.push_back({.joint = joint.id});
+  }
+  std::vector<int> numbers;
+  result.ends = ends.sorted(numbers, progress);
+  result.lines.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    progress.count(0, 1);
+    Piece& one = given[i];
+    std::tie(one.from, one.to) = std::minmax(numbers[2 * i], numbers[2 * i + 1]);
+    one.line = static_cast<int>(i);
+    result.lines.add(result.ends[at(one.from)], result.ends[at(one.to)]);
+  }
+  result.pieces.reserve(given.size());
+  Overlaps(given, result).split(progress);
+  std::sort(result.pieces.begin(), result.pieces.end(),
+            [&](const Piece& a, const Piece& b) {
+              progress.count(0, 1);
+              return std::pair(a.from, a.line) < std::pair(b.from, b.line);
+            });
+  return result;
 }
 
 }  // namespace blocks::geometry::exact

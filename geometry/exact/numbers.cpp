@@ -23,50 +23,6 @@ struct Scratch {
 constexpr int digits = std::numeric_limits<double>::digits;  // 53
 constexpr long least_exponent = std::numeric_limits<double>::min_exponent - digits;
 
-// Rounds num / den. |num| / den = (whole + rest) * 2^exponent with rest in [0, 1).
-// `whole` has 53 bits, or fewer if the result is subnormal. up: whether the rest rounds
-// `whole` up.
-double round_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
-  const int sign = mpz_sgn(num);
-  if (sign == 0)
-    return 0.0;
-  static thread_local Scratch scratch;
-  const auto bits = [](mpz_srcptr z) {
-    return static_cast<long>(mpz_sizeinbase(z, 2));
-  };
-  // quotient < 2^(bits(num) - bits(den) + 1), so the first exponent leaves 53 or 54
-  // bits. If it leaves 54 bits, the next exponent is used.
-  long exponent = std::max(bits(num) - bits(den) - digits, least_exponent);
-  for (;; ++exponent) {
-    mpz_srcptr divisor = den;
-    if (exponent <= 0) {
-      mpz_mul_2exp(scratch.scaled, num, static_cast<mp_bitcnt_t>(-exponent));
-      mpz_abs(scratch.scaled, scratch.scaled);
-      mpz_tdiv_qr(scratch.quotient, scratch.remainder, scratch.scaled, divisor);
-    } else {
-      mpz_mul_2exp(scratch.scaled, den, static_cast<mp_bitcnt_t>(exponent));
-      divisor = scratch.scaled;
-      mpz_tdiv_qr(scratch.quotient, scratch.remainder, num, divisor);
-      mpz_abs(scratch.quotient, scratch.quotient);
-      mpz_abs(scratch.remainder, scratch.remainder);
-    }
-    if (bits(scratch.quotient) > digits)
-      continue;
-    bool up = side * sign > 0 && mpz_sgn(scratch.remainder) != 0;
-    if (side == 0) {  // to the nearest, ties to even
-      mpz_mul_2exp(scratch.remainder, scratch.remainder, 1);
-      const int half = mpz_cmp(scratch.remainder, divisor);
-      up = half > 0 || (half == 0 && mpz_odd_p(scratch.quotient) != 0);
-    }
-    const double whole = mpz_get_d(scratch.quotient) + (up ? 1.0 : 0.0);
-    const double rounded =
-        std::ldexp(whole, static_cast<int>(std::min(exponent, 2000L)));
-    const bool towards_zero = side * sign < 0;
-    return sign * (towards_zero ? std::min(rounded, std::numeric_limits<double>::max())
-                                : rounded);
-  }
-}
-
 // MPFR caches pi and other numbers for each thread. This frees them when the thread
 // ends.
 struct MpfrCache {
@@ -126,6 +82,50 @@ double sine_or_cosine(const Rational& degrees, bool sine) {
 
 }  // namespace
 
+// Rounds num / den. |num| / den = (whole + rest) * 2^exponent with rest in [0, 1).
+// `whole` has 53 bits, or fewer if the result is subnormal. up: whether the rest rounds
+// `whole` up.
+double rounded_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
+  const int sign = mpz_sgn(num);
+  if (sign == 0)
+    return 0.0;
+  static thread_local Scratch scratch;
+  const auto bits = [](mpz_srcptr z) {
+    return static_cast<long>(mpz_sizeinbase(z, 2));
+  };
+  // quotient < 2^(bits(num) - bits(den) + 1), so the first exponent leaves 53 or 54
+  // bits. If it leaves 54 bits, the next exponent is used.
+  long exponent = std::max(bits(num) - bits(den) - digits, least_exponent);
+  for (;; ++exponent) {
+    mpz_srcptr divisor = den;
+    if (exponent <= 0) {
+      mpz_mul_2exp(scratch.scaled, num, static_cast<mp_bitcnt_t>(-exponent));
+      mpz_abs(scratch.scaled, scratch.scaled);
+      mpz_tdiv_qr(scratch.quotient, scratch.remainder, scratch.scaled, divisor);
+    } else {
+      mpz_mul_2exp(scratch.scaled, den, static_cast<mp_bitcnt_t>(exponent));
+      divisor = scratch.scaled;
+      mpz_tdiv_qr(scratch.quotient, scratch.remainder, num, divisor);
+      mpz_abs(scratch.quotient, scratch.quotient);
+      mpz_abs(scratch.remainder, scratch.remainder);
+    }
+    if (bits(scratch.quotient) > digits)
+      continue;
+    bool up = side * sign > 0 && mpz_sgn(scratch.remainder) != 0;
+    if (side == 0) {  // to the nearest, ties to even
+      mpz_mul_2exp(scratch.remainder, scratch.remainder, 1);
+      const int half = mpz_cmp(scratch.remainder, divisor);
+      up = half > 0 || (half == 0 && mpz_odd_p(scratch.quotient) != 0);
+    }
+    const double whole = mpz_get_d(scratch.quotient) + (up ? 1.0 : 0.0);
+    const double rounded =
+        std::ldexp(whole, static_cast<int>(std::min(exponent, 2000L)));
+    const bool towards_zero = side * sign < 0;
+    return sign * (towards_zero ? std::min(rounded, std::numeric_limits<double>::max())
+                                : rounded);
+  }
+}
+
 Vec2 direction_of_degrees(const Rational& degrees) {
   // Reduces the angle exactly to octants: degrees = 90 quarter + rest, |rest| <= 45.
   const Rational quarters = degrees / 90 + Rational(1, 2);
@@ -181,11 +181,11 @@ double nearest(const Rational& value) { return rounded_towards(value, 0); }
 Vec2 nearest(const Point& point) { return {nearest(point.x()), nearest(point.y())}; }
 
 double rounded_towards(const Rational& value, int side) {
-  return round_quotient(mpq_numref(value.mpq()), mpq_denref(value.mpq()), side);
+  return rounded_quotient(mpq_numref(value.mpq()), mpq_denref(value.mpq()), side);
 }
 
 double rounded_towards(const Fraction& value, int side) {
-  return round_quotient(value.num.mpz(), value.den.mpz(), side);
+  return rounded_quotient(value.num.mpz(), value.den.mpz(), side);
 }
 
 double rounded_place(const Integer& from, const Integer& length, const Integer& unit,
@@ -194,7 +194,7 @@ double rounded_place(const Integer& from, const Integer& length, const Integer& 
   mpz_mul(scratch.quotient, from.mpz(), s.den.mpz());
   mpz_addmul(scratch.quotient, length.mpz(), s.num.mpz());
   mpz_mul(scratch.scaled, unit.mpz(), s.den.mpz());
-  return round_quotient(scratch.quotient, scratch.scaled, side);
+  return rounded_quotient(scratch.quotient, scratch.scaled, side);
 }
 
 double tangent_of_degrees(const Rational& degrees) {

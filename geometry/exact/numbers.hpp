@@ -23,6 +23,9 @@ Vec2 nearest(const Point& point);
 double rounded_towards(const Rational& value, int side);
 double rounded_towards(const Fraction& value, int side);
 
+/// Returns num / den rounded as in rounded_towards; den > 0.
+double rounded_quotient(mpz_srcptr num, mpz_srcptr den, int side);
+
 /// Returns (from + length * s) / unit, rounded as in rounded_towards; unit > 0.
 double rounded_place(const Integer& from, const Integer& length, const Integer& unit,
                      const Fraction& s, int side);

@@ -1,5 +1,8 @@
-// PRIVATE to geometry/: the rational coordinates that an ExactPoint holds.
+// PRIVATE to geometry/: the exact coordinates that an ExactPoint holds if they are not
+// doubles.
 #pragma once
+
+#include <gmp.h>
 
 #include <memory>
 
@@ -9,23 +12,24 @@
 
 namespace blocks::geometry::exact {
 
-struct SharedPoint {
-  Point point;
+/// A view of packed coordinates x / x_unit, y / y_unit, which are reduced, with units
+/// > 0. It is valid as long as the point.
+struct Coordinates {
+  explicit Coordinates(const unsigned long* packed);
+  mpz_t x, x_unit, y, y_unit;  ///< read only; nothing is to be cleared
 };
 
+/// Packs the coordinates into one block of memory.
+std::shared_ptr<const unsigned long[]> packed(const Point& p);
+
 /// Returns the exact coordinates of a point.
-inline Point point_of(const ExactPoint& p) {
-  if (const SharedPoint* shared = p.rational())
-    return shared->point;
-  return {Rational(p.nearest().x()), Rational(p.nearest().y())};
-}
+Point point_of(const ExactPoint& p);
 
 /// Makes a point with these coordinates, which need not be doubles.
-inline ExactPoint exact_point(const Point& p) {
-  const Vec2 rounded = nearest(p);
-  if (p.x() == Rational(rounded.x()) && p.y() == Rational(rounded.y()))
-    return {rounded};
-  return ExactPoint(std::make_shared<const SharedPoint>(SharedPoint{p}));
-}
+ExactPoint exact_point(const Point& p);
+
+/// Compares x, then y; negative if p is before q. Takes exact numbers only where the
+/// nearest doubles are equal.
+int compare(const ExactPoint& p, const ExactPoint& q);
 
 }  // namespace blocks::geometry::exact
