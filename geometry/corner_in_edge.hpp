@@ -16,7 +16,12 @@ inline bool is_inside_an_edge(const Vec2& corner, const Polygon& block, double r
   bool inside = false;
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Vec2& a = block[i];
-    const Vec2 edge = block[(i + 1) % block.size()] - a, to = corner - a;
+    const Vec2 edge = block[i + 1 == block.size() ? 0 : i + 1] - a, to = corner - a;
+    // Most corners are far from the line, and need no root. The second term is above
+    // the rounding of the area, and the sum of the components above the length.
+    if (std::abs(cross(edge, to)) >
+        (4.0 * reach + 0x1p-50 * to.lpNorm<1>()) * edge.lpNorm<1>())
+      continue;
     const double length = edge.stableNorm(), along = to.dot(edge) / length;
     if (to.norm() <= reach || (to - edge).norm() <= reach)
       return false;

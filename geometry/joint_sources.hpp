@@ -85,8 +85,9 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request,
                            const std::vector<DecimalPoint>& outline,
                            const ProgressFunction& progress = {});
 
-/// Estimates the number of crossings of segments inside a box, [L], from 100,000 pairs
-/// of segments; exact if there are fewer pairs. The same segments give the same number.
+/// Estimates the number of crossings of segments inside a box, [L]: those of some
+/// segments with all others are counted. Exact for up to 3,000 segments. The same
+/// segments give the same number.
 double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& low,
                         const Vec2& high);
 

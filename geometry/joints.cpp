@@ -1,9 +1,11 @@
 #include "geometry/joints.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "geometry/corner_in_edge.hpp"
 #include "geometry/exact/box_pairs.hpp"
@@ -43,9 +45,9 @@ struct Opening {
 void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double reach,
            Opening& opening) {
   const Vec2 edge = b - a;
-  const double length = edge.stableNorm();
   if (edge.dot(d - c) >= 0.0)
     return;  // both are clockwise, so facing edges have opposite directions
+  const double length = edge.stableNorm();
   const auto along = [&](const Vec2& p) { return edge.dot(p - a) / length; };
   const auto aside = [&](const Vec2& p) {
     return cross(edge, p - a) / length;
@@ -91,13 +93,13 @@ bool holds(const Polygon& outline, const Vec2& point) {
 
 /// Drops the openings that another block fills: blocks on the two sides of a sharp
 /// wedge also have facing edges.
-void drop_filled(const std::vector<Polygon>& outlines, std::vector<Opening>& openings) {
+void drop_filled(const std::vector<Polygon>& outlines, std::vector<Opening>& openings,
+                 StepProgress& progress) {
   std::vector<exact::Box> points, boxes;
   std::vector<int> filled(openings.size(), 0);
   for (std::size_t k = 0; k < openings.size(); ++k)
-    if (!openings[k].slit.by_rounding)
-      for (const Vec2& middle : openings[k].middle)
-        points.push_back(exact::box_of({middle}, k));
+    for (const Vec2& middle : openings[k].middle)
+      points.push_back(exact::box_of({middle}, k));
   if (points.empty())
     return;
   for (std::size_t i = 0; i < outlines.size(); ++i)
@@ -106,6 +108,7 @@ void drop_filled(const std::vector<Polygon>& outlines, std::vector<Opening>& ope
   CGAL::box_intersection_d(
       points.begin(), points.end(), boxes.begin(), boxes.end(),
       [&](const exact::Box& point, const exact::Box& box) {
+        progress.count(1, 1);
         const Slit& slit = openings[point.info()].slit;
         const auto block = static_cast<int>(box.info());
         if (block != slit.first && block != slit.second &&
@@ -119,54 +122,116 @@ void drop_filled(const std::vector<Polygon>& outlines, std::vector<Opening>& ope
   openings.resize(kept);
 }
 
+/// Close pairs for each block, about; progress is shown by it.
+constexpr std::size_t usual_neighbours = 5;
+
+/// What is known of a block before it is compared with others.
+struct Extent {
+  Eigen::AlignedBox2d box;  ///< [L]
+  double rounding;          ///< [L] largest distance of a corner inside an edge
+  double reach;             ///< [L] largest width of a slit
+};
+
+Extent extent_of(const Polygon& outline) {
+  Extent extent;
+  for (const Vec2& corner : outline)
+    extent.box.extend(corner);
+  extent.rounding = rounding_units * coarsest_ulp(outline);
+  extent.reach = widest_slit * std::sqrt(std::abs(section_properties(outline).area));
+  return extent;
+}
+
+/// Whether two boxes are at most so far apart, in both axes.
+bool are_near(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b,
+              double distance) {
+  return ((a.min() - b.max()).array() <= distance).all() &&
+         ((b.min() - a.max()).array() <= distance).all();
+}
+
+Eigen::AlignedBox2d box_of_edge(const Polygon& outline, std::size_t edge) {
+  const Vec2 &a = outline[edge],
+             &b = outline[edge + 1 == outline.size() ? 0 : edge + 1];
+  return {a.cwiseMin(b), a.cwiseMax(b)};
+}
+
+/// Finds the widest slit between two blocks; its width is 0 if there is none.
+Opening widest_opening(const Polygon& p, const Extent& at_p, const Polygon& q,
+                       const Extent& at_q) {
+  Opening opening;
+  const double reach = std::min(at_p.reach, at_q.reach);
+  // Edges that are farther apart have no slit. The second term is far above the
+  // rounding of distances from the lines of edges.
+  const double apart =
+      reach + 1e-10 * (at_p.box.sizes().sum() + at_q.box.sizes().sum());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Eigen::AlignedBox2d edge = box_of_edge(p, k);
+    if (!are_near(edge, at_q.box, apart))
+      continue;
+    for (std::size_t l = 0; l < q.size(); ++l)
+      if (are_near(edge, box_of_edge(q, l), apart))
+        widen(p[k], p[(k + 1) % p.size()], q[l], q[(l + 1) % q.size()], reach, opening);
+  }
+  return opening;
+}
+
 }  // namespace
 
-Joints find_joints(const std::vector<Polygon>& outlines) {
+Joints find_joints(const std::vector<Polygon>& outlines, StepProgress* progress) {
+  const ProgressFunction none;
+  StepProgress unseen(none, "");
+  StepProgress& seen = progress ? *progress : unseen;
+  std::vector<Extent> extents;
   std::vector<double> reach;
+  extents.reserve(outlines.size());
   reach.reserve(outlines.size());
-  for (const Polygon& outline : outlines)
-    reach.push_back(widest_slit *
-                    std::sqrt(std::abs(section_properties(outline).area)));
+  for (const Polygon& outline : outlines) {
+    seen.count(0, 1);
+    extents.push_back(extent_of(outline));
+    reach.push_back(extents.back().reach);
+  }
   Joints joints;
   std::vector<Opening> openings;
   const auto corners_of = [&](std::size_t from, std::size_t to) {
-    const double rounding = rounding_units * coarsest_ulp(outlines[to]);
-    const exact::Box box = exact::box_of(outlines[to], to, rounding);
+    const double rounding = extents[to].rounding;
+    Eigen::AlignedBox2d box = extents[to].box;
+    box.min().array() -= rounding;
+    box.max().array() += rounding;
     for (std::size_t c = 0; c < outlines[from].size(); ++c) {
       const Vec2& corner = outlines[from][c];
-      if (box.min_coord(0) <= corner.x() && corner.x() <= box.max_coord(0) &&
-          box.min_coord(1) <= corner.y() && corner.y() <= box.max_coord(1) &&
-          is_inside_an_edge(corner, outlines[to], rounding))
+      if (box.contains(corner) && is_inside_an_edge(corner, outlines[to], rounding))
         joints.t_junctions.push_back({static_cast<int>(from), static_cast<int>(c),
                                       static_cast<int>(to), corner});
     }
   };
+  std::size_t pairs = 0;
   exact::for_each_close_pair(outlines, reach, [&](std::size_t i, std::size_t j) {
+    seen.count(++pairs, usual_neighbours * outlines.size());
     corners_of(i, j);
     corners_of(j, i);
-    const Polygon &p = outlines[i], &q = outlines[j];
-    Opening opening{{static_cast<int>(i), static_cast<int>(j), 0.0, Vec2::Zero()}, {}};
+    Opening opening = widest_opening(outlines[i], extents[i], outlines[j], extents[j]);
     Slit& slit = opening.slit;
-    for (std::size_t k = 0; k < p.size(); ++k)
-      for (std::size_t l = 0; l < q.size(); ++l)
-        widen(p[k], p[(k + 1) % p.size()], q[l], q[(l + 1) % q.size()],
-              std::min(reach[i], reach[j]), opening);
-    slit.by_rounding =
-        slit.width <= rounding_units * std::max(coarsest_ulp(p), coarsest_ulp(q));
-    if (slit.width > 0.0)
+    if (slit.width == 0.0)
+      return;
+    slit.first = static_cast<int>(i);
+    slit.second = static_cast<int>(j);
+    slit.by_rounding = slit.width <= std::max(extents[i].rounding, extents[j].rounding);
+    if (slit.by_rounding)
+      joints.slits.push_back(slit);
+    else
       openings.push_back(opening);
   });
-  drop_filled(outlines, openings);
+  drop_filled(outlines, openings, seen);
   for (const Opening& opening : openings)
     joints.slits.push_back(opening.slit);
-  std::sort(joints.t_junctions.begin(), joints.t_junctions.end(),
-            [](const TJunction& a, const TJunction& b) {
-              return std::tie(a.block, a.corner, a.other) <
-                     std::tie(b.block, b.corner, b.other);
-            });
-  std::sort(joints.slits.begin(), joints.slits.end(), [](const Slit& a, const Slit& b) {
-    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
-  });
+  const auto sort = [&seen](auto& list, auto key) {
+    std::sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
+      seen.count(1, 1);
+      return key(a) < key(b);
+    });
+  };
+  sort(joints.t_junctions,
+       [](const TJunction& t) { return std::tuple(t.block, t.corner, t.other); });
+  sort(joints.slits, [](const Slit& s) { return std::pair(s.first, s.second); });
   return joints;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geometry/step_progress.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry {
@@ -38,7 +39,8 @@ constexpr double widest_slit = 1e-2;
 /// Finds T-junctions and slits. outlines: simple and clockwise, [L]. Whether such
 /// edges touch or leave a slit is decided exactly, so slits of one ulp are found. Edges
 /// form no slit if their common length is at most the width of the widest slit. Takes
-/// O(n log n) time for n blocks of similar size.
-Joints find_joints(const std::vector<Polygon>& outlines);
+/// O(n log n) time for n blocks of similar size. A report of progress may throw.
+Joints find_joints(const std::vector<Polygon>& outlines,
+                   StepProgress* progress = nullptr);
 
 }  // namespace blocks::geometry

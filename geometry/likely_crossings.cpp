@@ -11,8 +11,13 @@ namespace {
 /// Whether two segments cross in the box, in plain doubles.
 bool cross_in_box(const JointSegment& s, const JointSegment& t, const Vec2& low,
                   const Vec2& high) {
-  const Vec2 a = s.from.nearest(), along = s.to.nearest() - a, c = t.from.nearest(),
-             other = t.to.nearest() - c;
+  const Vec2 a = s.from.nearest(), b = s.to.nearest(), c = t.from.nearest(),
+             d = t.to.nearest();
+  for (const int axis : {0, 1})
+    if (std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
+        std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]))
+      return false;
+  const Vec2 along = b - a, other = d - c;
   const double area = cross(along, other);
   if (area == 0.0)
     return false;
@@ -27,24 +32,25 @@ bool cross_in_box(const JointSegment& s, const JointSegment& t, const Vec2& low,
 
 double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& low,
                         const Vec2& high) {
-  constexpr double most = 1e5;
-  const auto n = static_cast<double>(segments.size());
-  const double pairs = 0.5 * n * (n - 1.0);
-  double found = 0.0;
-  if (pairs <= most) {
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        found += cross_in_box(segments[i], segments[j], low, high) ? 1.0 : 0.0;
-    return found;
-  }
+  // A pair takes some nanoseconds, so all take a tenth of a second. Fewer segments than
+  // the least number would say little about the others.
+  constexpr std::size_t most_pairs = 10'000'000, least = 64;
+  const std::size_t n = segments.size();
+  if (n < 2)
+    return 0.0;
+  const std::size_t asked = std::min(std::max(most_pairs / n, least), n);
+  std::vector<JointSegment> some;
   std::uint64_t state = 1;
-  const auto any = [&] {  // a multiplier of Knuth's MMIX
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return static_cast<std::size_t>((state >> 33) % segments.size());
-  };
-  for (double k = 0.0; k < most; ++k)
-    found += cross_in_box(segments[any()], segments[any()], low, high) ? 1.0 : 0.0;
-  return pairs * found / most;
+  for (std::size_t i = 0; i < asked; ++i) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;  // Knuth's MMIX
+    some.push_back(segments[asked == n ? i : (state >> 33) % n]);
+  }
+  double found = 0.0;
+  for (const JointSegment& segment : segments)
+    for (const JointSegment& one : some)
+      found += cross_in_box(one, segment, low, high) ? 1.0 : 0.0;
+  // Each crossing has two segments.
+  return 0.5 * found * static_cast<double>(n) / static_cast<double>(asked);
 }
 
 }  // namespace blocks::geometry

@@ -4,6 +4,9 @@
 #include <array>
 #include <cstdio>
 #include <limits>
+#include <span>
+#include <unordered_map>
+#include <utility>
 
 #include "geometry/convex_parts.hpp"
 #include "geometry/exact/box_pairs.hpp"
@@ -143,15 +146,22 @@ exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& or
 class Blocks {
  public:
   Blocks(const std::vector<Polygon>& outlines, Figures figures)
-      : outlines_(outlines), figures_(figures), pieces_(outlines.size()),
-        cut_(outlines.size(), false) {}
+      : outlines_(outlines), figures_(figures),
+        state_(outlines.size(), State::unknown) {}
 
-  const std::vector<Polygon>& pieces(std::size_t block) {
-    if (!cut_[block]) {
-      pieces_[block] = convex_pieces(outlines_[block]);
-      cut_[block] = true;
+  std::span<const Polygon> pieces(std::size_t block) {
+    const Polygon& outline = outlines_[block];
+    if (state_[block] == State::unknown) {
+      const OutlineCheck check = check_outline(outline);
+      const bool is_whole =
+          check.fault == OutlineFault::none && check.convex && !check.anticlockwise;
+      state_[block] = is_whole ? State::whole : State::cut;
+      if (!is_whole)
+        pieces_.emplace(block, convex_pieces(outline));
     }
-    return pieces_[block];
+    if (state_[block] == State::whole)
+      return {&outline, 1};
+    return pieces_.at(block);
   }
 
   void compare(std::size_t first, std::size_t second,
@@ -182,10 +192,12 @@ class Blocks {
   }
 
  private:
+  enum class State : char { unknown, whole, cut };
+
   const std::vector<Polygon>& outlines_;
   Figures figures_;
-  std::vector<std::vector<Polygon>> pieces_;
-  std::vector<bool> cut_;
+  std::vector<State> state_;
+  std::unordered_map<std::size_t, std::vector<Polygon>> pieces_;  ///< of cut outlines
 };
 
 }  // namespace
@@ -198,16 +210,21 @@ std::string positive_text(double value, int digits) {
 
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
                                             const std::vector<int>& layer,
-                                            Figures figures) {
+                                            Figures figures, StepProgress* progress) {
   struct Enough {};
   Blocks blocks(outlines, figures);
   std::vector<BlockOverlap> found;
   const auto one_tiling = [&](std::size_t first, std::size_t second) {
     return !layer.empty() && layer[first] != 0 && layer[first] == layer[second];
   };
+  // Progress is shown by the usual number of close pairs for each block.
+  std::size_t pairs = 0;
+  const std::size_t most = 5 * outlines.size();
   try {
     exact::for_each_close_pair(outlines, {},
                                [&](std::size_t first, std::size_t second) {
+                                 if (progress)
+                                   progress->count(++pairs, most);
                                  if (one_tiling(first, second))
                                    return;
                                  blocks.compare(first, second, found);

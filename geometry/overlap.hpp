@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/step_progress.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry {
@@ -34,10 +35,12 @@ enum class Figures { exact, quick };
 ///
 /// layer: for each outline, the number of the certified tiling of which it is a cell,
 /// or 0. Pairs of one tiling are known to be disjoint and are not tested. The search
-/// stops after max_overlaps pairs, because longer lists are of no use.
+/// stops after max_overlaps pairs, because longer lists are of no use. A report of
+/// progress may throw.
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
                                             const std::vector<int>& layer = {},
-                                            Figures figures = Figures::exact);
+                                            Figures figures = Figures::exact,
+                                            StepProgress* progress = nullptr);
 
 /// Formats a positive value with so many significant digits, even if it has been
 /// rounded to zero: "0.25", "1.2e-31", "less than 5e-324".

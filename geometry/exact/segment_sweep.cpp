@@ -24,9 +24,10 @@ struct Box {
 
 // Encloses a number whose nearest double is given: the distance is half a unit.
 Interval around(double nearest) {
+  // The least normal double is the least unit, because processors are slow with less.
   const double unit =
-      std::abs(nearest) * 0x1p-52 + std::numeric_limits<double>::denorm_min();
-  return Interval(nearest) + Interval(-unit, unit);
+      std::abs(nearest) * 0x1p-52 + std::numeric_limits<double>::min();
+  return {-(unit - nearest), nearest + unit};
 }
 Box around(const Vec2& nearest) { return {around(nearest.x()), around(nearest.y())}; }
 Box box_of(const ExactPoint& p) {

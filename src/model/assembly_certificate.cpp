@@ -17,10 +17,11 @@ namespace {
 
 /// Finds joints, except those between two moved blocks, which the deck did not make.
 void find_joints(const std::vector<geometry::Polygon>& outlines,
-                 AssemblyCertificate& certificate) {
+                 AssemblyCertificate& certificate, geometry::StepProgress progress) {
   if (certificate.moved == certificate.blocks)
     return;
-  auto& [t_junctions, slits] = certificate.joints = geometry::find_joints(outlines);
+  auto& [t_junctions, slits] = certificate.joints =
+      geometry::find_joints(outlines, &progress);
   const int moved = certificate.moved;
   std::erase_if(t_junctions, [moved](const geometry::TJunction& junction) {
     return std::max(junction.block, junction.other) < moved;
@@ -57,7 +58,8 @@ std::string named(const std::string& title, const List& list, std::size_t count,
 }  // namespace
 
 AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
-                                     const AssemblyCertificate& before) {
+                                     const AssemblyCertificate& before,
+                                     const geometry::ProgressFunction& progress) {
   AssemblyCertificate certificate;
   certificate.blocks = blocks.size();
   certificate.moved = moved;
@@ -70,7 +72,9 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
     at_fault.emplace(pair.first, pair.second);
   // Blocks of one layer are disjoint only until they move.
   const std::vector<int> apart = moved > 0 ? std::vector<int>{} : blocks.layer;
-  for (const auto& pair : geometry::overlapping_pairs(outlines, apart)) {
+  geometry::StepProgress comparing(progress, "compare blocks", 0.0, 0.5);
+  for (const auto& pair : geometry::overlapping_pairs(
+           outlines, apart, geometry::Figures::exact, &comparing)) {
     if (pair.second < moved && !at_fault.contains({pair.first, pair.second})) {
       certificate.contacts.push_back(pair);
       continue;
@@ -85,7 +89,8 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
       certificate.largest_rounding = std::max(certificate.largest_rounding, part);
     }
   }
-  find_joints(outlines, certificate);
+  find_joints(outlines, certificate,
+              geometry::StepProgress(progress, "find gaps between blocks", 0.5, 1.0));
   return certificate;
 }
 

@@ -48,9 +48,11 @@ using SharedCertificate = std::shared_ptr<const AssemblyCertificate>;
 /// Decides exactly for every pair of blocks, in O(n log n) time. moved: see
 /// AssemblyCertificate::moved. before: the last certificate of these blocks; its
 /// overlaps remain overlaps as long as they exist. Guarantee: the order of the blocks
-/// affects only their numbers in the result.
+/// affects only their numbers in the result. progress: called during the work; may
+/// throw to stop it.
 AssemblyCertificate certify_assembly(const Blocks& blocks, int moved = 0,
-                                     const AssemblyCertificate& before = {});
+                                     const AssemblyCertificate& before = {},
+                                     const geometry::ProgressFunction& progress = {});
 
 /// Returns the verdict in one line: "no two of 120 blocks overlap".
 std::string verdict(const AssemblyCertificate& certificate);

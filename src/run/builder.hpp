@@ -39,6 +39,8 @@ struct BuildOptions {
   std::vector<geometry::BlockOverlap> overlaps = {};
   /// As CutOptions::progress, with the line of the CUT card.
   std::function<void(int line, const std::string& step, double part)> cut_progress = {};
+  /// Likewise of the check that no two blocks overlap.
+  geometry::ProgressFunction check_progress = {};
   std::shared_ptr<CutStore> cuts =
       {};  ///< blocks that CUT cards have made; may be null
   /// Whether steps are made at MOTION and CYCLE. If not, the blocks stay where the

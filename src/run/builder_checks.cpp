@@ -287,7 +287,10 @@ void Builder::check_overlaps(const Command& command) {
     return;
   AssemblyCertificate before;
   before.overlaps = certificate_ ? certificate_->overlaps : options_.overlaps;
-  AssemblyCertificate found = certify_assembly(model_.blocks, moved_blocks_, before);
+  AssemblyCertificate found =
+      certify_assembly(model_.blocks, moved_blocks_, before, options_.check_progress);
+  if (options_.check_progress)
+    options_.check_progress("", 1.0);
   found.joints.t_junctions = std::vector<geometry::TJunction>();  // number suffices
   certificate_ = std::make_shared<const AssemblyCertificate>(std::move(found));
   std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;

@@ -326,7 +326,7 @@ class Generator {
                             : "reduce the number of points"));
   }
   /// Refuses joints that certainly make too many blocks for START or the memory, before
-  /// they are cut. The crossings are estimated from random pairs of joints.
+  /// they are cut. The crossings are estimated from those of some joints.
   void check_crossings() {
     constexpr double bytes_of_block = 2700.0;  // measured with 260,000 blocks
     const auto [low, high] = box();

@@ -41,9 +41,10 @@ void CutProgress::operator()(int line, const std::string& step, double part) {
   const double spent = std::chrono::duration<double>(now - start_).count();
   const std::string left =
       part > 0.0 ? ", " + duration(spent * (1.0 - part) / part) + " left" : "";
-  std::fputs(fmt::format("{}CUT in line {}: {}, {:.0f} %{}{}",
-                         terminal_ ? "\r\033[K" : "", line, step, 100.0 * part, left,
-                         terminal_ ? "" : "\n")
+  const std::string work =
+      line == check ? "check" : fmt::format("CUT in line {}", line);
+  std::fputs(fmt::format("{}{}: {}, {:.0f} %{}{}", terminal_ ? "\r\033[K" : "", work,
+                         step, 100.0 * part, left, terminal_ ? "" : "\n")
                  .c_str(),
              stderr);
   std::fflush(stderr);

@@ -1,4 +1,5 @@
-// The progress line of CUT cards that take long, on standard error.
+// The progress line of CUT cards, and of the check of the blocks, that take long, on
+// standard error.
 #pragma once
 
 #include <chrono>
@@ -8,6 +9,9 @@ namespace blocks::run {
 
 class CutProgress {
  public:
+  /// Instead of the line of a card: no two blocks are to overlap.
+  static constexpr int check = -1;
+
   explicit CutProgress(bool quiet);
 
   /// Shows the line if the card has taken two seconds: again and again in one place on

@@ -55,29 +55,27 @@ Model load_to_check(Job& job) {
   }
 }
 
-/// Executes every card without making steps. `start` receives the model at the first
+/// As check(), but throws Interrupted. `start` receives the model at the first
 /// MOTION, CYCLE or SOLVE, or at the end if there is none. `notes` receives the notes
 /// on what cards did. Returns false if there were errors.
-bool check(Job& job, Model& start, std::vector<std::string>& notes) {
+bool check_cards(Job& job, Model& start, std::vector<std::string>& notes) {
   Model model;
   if (job.loads())
     model = load_to_check(job);
   BuildOptions options = job.build_options();
   options.moves = false;
+  options.check_progress = [shown = CutProgress(job.options.quiet)](
+                               const std::string& step, double part) mutable {
+    shown(CutProgress::check, step, part);
+  };
   Builder builder(model, job.diagnostics, job.deck.commands, std::move(options));
   if (job.resumes)
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
   bool has_moved = false;
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
-    try {
-      stop_if_interrupted();
-      builder.apply(command);
-    } catch (const Interrupted&) {
-      std::fputs("blocks: interrupted; no file was written\n", stderr);
-      job.fault = interrupted;
-      return false;
-    }
+    stop_if_interrupted();
+    builder.apply(command);
     if (!deck::passes_time(command))
       continue;
     if (!job.diagnostics.has_errors()) {
@@ -108,6 +106,18 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
                     later));
   job.certificate = builder.certificate();
   return !job.diagnostics.has_errors();
+}
+
+/// Executes every card without making steps. Returns false if there were errors, or an
+/// interrupt. start, notes: as in check_cards().
+bool check(Job& job, Model& start, std::vector<std::string>& notes) {
+  try {
+    return check_cards(job, start, notes);
+  } catch (const Interrupted&) {
+    std::fputs("blocks: interrupted; no file was written\n", stderr);
+    job.fault = interrupted;
+    return false;
+  }
 }
 
 bool is_same(const deck::Diagnostic& a, const deck::Diagnostic& b) {
