@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 #include <vector>
 
@@ -81,8 +80,9 @@ class CutCleaner {
   void remove_digon(int half_edge);
   bool lies_on(const CutGraph::Vertex& vertex, int line) const;
   bool try_identify(int half_edge, int other);
-  bool try_merge(int cell, std::map<int, int>& first);
-  void join_if_straight(int vertex, std::map<int, int>& first);
+  void find_first_half_edges();
+  bool try_merge(int cell);
+  void join_if_straight(int vertex);
 
   CutGraph& graph_;
   const exact::Lines& lines_;
@@ -90,6 +90,7 @@ class CutCleaner {
   CutReport& report_;
   StepProgress& progress_;
   CellValidity validity_;
+  std::vector<int> first_;      ///< a half-edge of each cell; -1: no longer a cell
   int cells_ = 0;               ///< number of the next new cell; 0: not known yet
   std::vector<int> changed_;    ///< cells that the last merge has changed
   std::vector<int> destroyed_;  ///< a half-edge of each cell that is still not valid

@@ -11,7 +11,7 @@ constexpr auto at = CutGraph::at;
 
 }  // namespace
 
-void CutCleaner::join_if_straight(int vertex, std::map<int, int>& first) {
+void CutCleaner::join_if_straight(int vertex) {
   if (graph_.vertices[at(vertex)].half_edge < 0 || graph_.degree(vertex) != 2 ||
       !is_superfluous(graph_, lines_, vertex))
     return;
@@ -33,7 +33,7 @@ void CutCleaner::join_if_straight(int vertex, std::map<int, int>& first) {
   const int kept = graph_.join_edges(vertex);
   for (const int h : {2 * kept, 2 * kept + 1})
     if (graph_.cell[at(h)] >= 0) {
-      first[graph_.cell[at(h)]] = h;
+      first_[at(graph_.cell[at(h)])] = h;
       validity_.set_valid(graph_.cell[at(h)]);
       changed_.push_back(graph_.cell[at(h)]);
     }
@@ -41,16 +41,31 @@ void CutCleaner::join_if_straight(int vertex, std::map<int, int>& first) {
 
 // Contraction may leave two collinear edges of one joint, or of the outline.
 void CutCleaner::join_straight_edges() {
-  std::map<int, int> first;
-  for (int v = 0; v < static_cast<int>(graph_.vertices.size()); ++v)
-    join_if_straight(v, first);
+  find_first_half_edges();
+  for (int v = 0; v < static_cast<int>(graph_.vertices.size()); ++v) {
+    progress_.count(1, 1);
+    join_if_straight(v);
+  }
 }
 
-// Merges the cell into the neighbour with the longest common chain. first: a half-edge
-// of each cell.
-bool CutCleaner::try_merge(int cell, std::map<int, int>& first) {
+void CutCleaner::find_first_half_edges() {
+  first_.clear();
+  for (int h = 0; h < graph_.half_edges(); ++h) {
+    progress_.count(0, 1);
+    const int cell = graph_.cell[at(h)];
+    if (!graph_.alive(h) || cell < 0)
+      continue;
+    if (at(cell) >= first_.size())
+      first_.resize(at(cell) + 1, -1);
+    if (first_[at(cell)] < 0)
+      first_[at(cell)] = h;
+  }
+}
+
+// Merges the cell into the neighbour with the longest common chain.
+bool CutCleaner::try_merge(int cell) {
   std::vector<int> sides;
-  const int begin = first.at(cell);
+  const int begin = first_[at(cell)];
   for (int h = begin;;) {
     sides.push_back(h);
     h = graph_.next[at(h)];
@@ -95,7 +110,7 @@ bool CutCleaner::try_merge(int cell, std::map<int, int>& first) {
     const Chain& chain = chains.at(neighbour);
     const int into = sides[chain.begin], out = sides[chain.end - 1];
     const bool are_valid =
-        validity_.is_valid(begin) && validity_.is_valid(first.at(neighbour));
+        validity_.is_valid(begin) && validity_.is_valid(first_[at(neighbour)]);
     bool is_valid_now = false;
     if (are_valid && graph_.origin[at(into)] != graph_.target(out)) {
       const bool has_area =
@@ -115,17 +130,17 @@ bool CutCleaner::try_merge(int cell, std::map<int, int>& first) {
       // Two cells that rounding has destroyed may become one that is still not valid.
       const bool is_better =
           is_valid_now || (has_distinct_vertices(loop) && !validity_.is_valid(begin) &&
-                           !validity_.is_valid(first.at(neighbour)));
+                           !validity_.is_valid(first_[at(neighbour)]));
       if (loop.size() < 3 || !is_better)
         continue;
     }
     const int ends[2] = {graph_.origin[at(into)], graph_.target(out)};
-    first[neighbour] = graph_.next[at(out)];
+    first_[at(neighbour)] = graph_.next[at(out)];
     for (const int h : sides)
       graph_.cell[at(h)] = neighbour;
     for (std::size_t i = chain.begin; i < chain.end; ++i)
       graph_.remove_edge(at(sides[i]) / 2);
-    first.erase(cell);
+    first_[at(cell)] = -1;
     if (is_valid_now)
       validity_.set_valid(neighbour);
     else
@@ -133,36 +148,37 @@ bool CutCleaner::try_merge(int cell, std::map<int, int>& first) {
     ++report_.merges;
     changed_ = {neighbour};
     for (const int end : ends)
-      join_if_straight(end, first);
+      join_if_straight(end);
     return true;
   }
   return false;
 }
 
 void CutCleaner::merge_below(double amin) {
-  std::map<int, int> first;
-  for (int h = 0; h < graph_.half_edges(); ++h)
-    if (graph_.alive(h) && graph_.cell[at(h)] >= 0)
-      first.emplace(graph_.cell[at(h)], h);
+  find_first_half_edges();
   const auto area = [&](int cell) {
-    return section_properties(clockwise(loop_of(first.at(cell)))).area;
+    return section_properties(clockwise(loop_of(first_[at(cell)]))).area;
   };
   // Cells that rounding or contraction has destroyed are merged as well.
   const auto size_of = [&](int cell) {
-    return validity_.is_valid(first.at(cell)) ? area(cell) : -1.0;
+    return validity_.is_valid(first_[at(cell)]) ? area(cell) : -1.0;
   };
   const auto is_small = [amin](double size) { return size < amin || size < 0.0; };
   std::set<std::pair<double, int>> open;
-  for (const auto& [cell, half_edge] : first)
+  for (int cell = 0; cell < static_cast<int>(first_.size()); ++cell) {
+    progress_.count(1, 2);
+    if (first_[at(cell)] < 0)
+      continue;
     if (const double a = size_of(cell); is_small(a))
       open.emplace(a, cell);
+  }
   std::map<int, double> refused;
   // A refused cell may be possible if it has changed, or a neighbour has.
   const auto reopen = [&] {
     for (const int changed : changed_) {
       if (refused.empty())
         return;
-      const int begin = first.at(changed);
+      const int begin = first_[at(changed)];
       int h = begin;
       do {
         for (const int side : {h, CutGraph::twin(h)})
@@ -179,14 +195,14 @@ void CutCleaner::merge_below(double amin) {
     progress_.count(1, 2);
     const auto [size, cell] = *open.begin();
     open.erase(open.begin());
-    if (!first.contains(cell))
+    if (first_[at(cell)] < 0)
       continue;
     if (const double now = size_of(cell); now != size) {  // it has grown
       if (is_small(now))
         open.emplace(now, cell);
       continue;
     }
-    if (try_merge(cell, first)) {
+    if (try_merge(cell)) {
       reopen();
     } else {
       refused.emplace(cell, size);
@@ -196,7 +212,7 @@ void CutCleaner::merge_below(double amin) {
   destroyed_.clear();
   for (const auto& [cell, size] : refused)
     if (size < 0.0)
-      destroyed_.push_back(first.at(cell));
+      destroyed_.push_back(first_[at(cell)]);
 }
 
 }  // namespace blocks::geometry

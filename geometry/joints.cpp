@@ -154,6 +154,16 @@ Eigen::AlignedBox2d box_of_edge(const Polygon& outline, std::size_t edge) {
   return {a.cwiseMin(b), a.cwiseMax(b)};
 }
 
+/// Lists the edges of the outline that are near the box, with their boxes.
+void list_near_edges(const Polygon& outline, const Eigen::AlignedBox2d& box,
+                     double distance,
+                     std::vector<std::pair<std::size_t, Eigen::AlignedBox2d>>& list) {
+  list.clear();
+  for (std::size_t k = 0; k < outline.size(); ++k)
+    if (const auto edge = box_of_edge(outline, k); are_near(edge, box, distance))
+      list.emplace_back(k, edge);
+}
+
 /// Finds the widest slit between two blocks; its width is 0 if there is none.
 Opening widest_opening(const Polygon& p, const Extent& at_p, const Polygon& q,
                        const Extent& at_q) {
@@ -163,14 +173,14 @@ Opening widest_opening(const Polygon& p, const Extent& at_p, const Polygon& q,
   // rounding of distances from the lines of edges.
   const double apart =
       reach + 1e-10 * (at_p.box.sizes().sum() + at_q.box.sizes().sum());
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const Eigen::AlignedBox2d edge = box_of_edge(p, k);
-    if (!are_near(edge, at_q.box, apart))
-      continue;
-    for (std::size_t l = 0; l < q.size(); ++l)
-      if (are_near(edge, box_of_edge(q, l), apart))
+  static thread_local std::vector<std::pair<std::size_t, Eigen::AlignedBox2d>> edges,
+      others;
+  list_near_edges(p, at_q.box, apart, edges);
+  list_near_edges(q, at_p.box, apart, others);
+  for (const auto& [k, box] : edges)
+    for (const auto& [l, other] : others)
+      if (are_near(box, other, apart))
         widen(p[k], p[(k + 1) % p.size()], q[l], q[(l + 1) % q.size()], reach, opening);
-  }
   return opening;
 }
 

@@ -50,11 +50,11 @@ bool edge_separates(const Polygon& p, const Polygon& q) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2& a = p[i];
     const Vec2& b = p[(i + 1) % p.size()];
+    // A common corner is on the line; to prove it would take exact numbers.
     if (std::none_of(q.begin(), q.end(), [&](const Vec2& corner) {
-          return turn(a, b, corner) == CGAL::RIGHT_TURN;
-        })) {
+          return corner != a && corner != b && turn(a, b, corner) == CGAL::RIGHT_TURN;
+        }))
       return true;
-    }
   }
   return false;
 }
@@ -171,9 +171,14 @@ class Blocks {
     const Vec2 origin = outlines_[first].front();
     Vec2 moment = Vec2::Zero();
     Vec2 some_place = Vec2::Zero();
-    for (const Polygon& p : pieces(first)) {
-      for (const Polygon& q : pieces(second)) {
-        if (!overlap(box_of(p), box_of(q)) || !interiors_meet(p, q))
+    const auto parts = pieces(first), others = pieces(second);
+    // The boxes of whole outlines overlap, otherwise they would not be compared.
+    const bool are_whole = parts.size() == 1 && others.size() == 1;
+    for (const Polygon& p : parts) {
+      for (const Polygon& q : others) {
+        if (!are_whole && !overlap(box_of(p), box_of(q)))
+          continue;
+        if (!interiors_meet(p, q))
           continue;
         const exact::CommonPart part = common_part(p, q, origin, figures_);
         if (!meet)
