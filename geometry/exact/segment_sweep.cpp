@@ -1,67 +1,22 @@
 #include "geometry/exact/segment_sweep.hpp"
 
-#include <CGAL/Interval_nt.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <queue>
 #include <set>
 #include <utility>
+
+#include "geometry/exact/enclosure.hpp"
 
 namespace blocks::geometry::exact {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Rounding must be upwards while these are used.
-using Interval = CGAL::Interval_nt<false>;
-
-struct Box {
-  Interval x, y;
-};
-
-// Encloses a number whose nearest double is given: the distance is half a unit.
-Interval around(double nearest) {
-  // The least normal double is the least unit, because processors are slow with less.
-  const double unit =
-      std::abs(nearest) * 0x1p-52 + std::numeric_limits<double>::min();
-  return {-(unit - nearest), nearest + unit};
-}
-Box around(const Vec2& nearest) { return {around(nearest.x()), around(nearest.y())}; }
-Box box_of(const ExactPoint& p) {
-  const Vec2& nearest = p.nearest();
-  return p.packed() != nullptr ? around(nearest)
-                               : Box{Interval(nearest.x()), Interval(nearest.y())};
-}
-
-std::optional<int> certain_sign(const Interval& value) {
-  if (value.inf() > 0.0)
-    return 1;
-  if (value.sup() < 0.0)
-    return -1;
-  if (value.inf() == 0.0 && value.sup() == 0.0)
-    return 0;
-  return {};
-}
-std::optional<int> certain_order(const Interval& a, const Interval& b) {
-  if (a.sup() < b.inf())
-    return -1;
-  if (a.inf() > b.sup())
-    return 1;
-  if (a.inf() == a.sup() && b.inf() == b.sup())
-    return 0;
-  return {};
-}
-std::optional<int> certain_order(const Box& a, const Box& b) {
-  const auto by_x = certain_order(a.x, b.x);
-  return by_x == 0 ? certain_order(a.y, b.y) : by_x;
-}
-
 // The point where piece `below` crosses piece `above`.
 struct Crossing {
-  Box box;
+  Enclosure box;
   int below, above;
 };
 
@@ -75,11 +30,11 @@ class Sweep {
 
   void run(const std::function<void(const SweepVertex&)>& visit,
            StepProgress& progress) {
-    const CGAL::Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
+    const RoundUpwards upwards;
     const auto count = static_cast<int>(ends_.size());
     while (end_ < count || !crossings_.empty()) {
       if (progress.is_due()) {
-        const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+        const RoundToNearestAgain nearest;
         progress.report(static_cast<double>(end_) / count);
       }
       if (!crossings_.empty() && !is_adjacent(crossings_.top()))
@@ -131,8 +86,8 @@ class Sweep {
   const ExactPoint& to(int piece) const { return ends_[at(pieces_[at(piece)].to)]; }
 
   // The side of the piece on which the point is: 1 above it, -1 below it.
-  std::optional<int> certain_side(int piece, const Box& point) const {
-    const Box start = box_of(from(piece)), stop = box_of(to(piece));
+  std::optional<int> certain_side(int piece, const Enclosure& point) const {
+    const Enclosure start = enclosure(from(piece)), stop = enclosure(to(piece));
     return certain_sign((stop.x - start.x) * (point.y - start.y) -
                         (stop.y - start.y) * (point.x - start.x));
   }
@@ -151,15 +106,15 @@ class Sweep {
   }
   // Likewise of an end.
   int side(int piece, int end) const {
-    if (const auto certain = certain_side(piece, box_of(ends_[at(end)])))
+    if (const auto certain = certain_side(piece, enclosure(ends_[at(end)])))
       return *certain;
     first_.set(ends_[at(end)]);
     return side_of(line(piece), first_);
   }
 
-  Box box_of_crossing(int below, int above) const {
-    const Box p = box_of(from(below)), q = box_of(to(below)), r = box_of(from(above)),
-              s = box_of(to(above));
+  Enclosure enclosure_of(int below, int above) const {
+    const Enclosure p = enclosure(from(below)), q = enclosure(to(below)),
+                    r = enclosure(from(above)), s = enclosure(to(above));
     const Interval run = q.x - p.x, rise = q.y - p.y;
     const Interval other_run = s.x - r.x, other_rise = s.y - r.y;
     const Interval area = run * other_rise - rise * other_run;
@@ -171,9 +126,9 @@ class Sweep {
       return {p.x + part * run, p.y + part * rise};
     }
     first_.set(line(below), line(above));
-    const CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    const RoundToNearestAgain nearest;
     const Vec2 rounded = first_.nearest();
-    const CGAL::Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
+    const RoundUpwards upwards;
     return around(rounded);
   }
 
@@ -191,7 +146,7 @@ class Sweep {
     if (at(end_) == ends_.size())
       return true;
     const ExactPoint& end = ends_[at(end_)];
-    if (const auto certain = certain_order(crossing.box, box_of(end)))
+    if (const auto certain = certain_order(crossing.box, enclosure(end)))
       return *certain < 0;
     first_.set(line(crossing.below), line(crossing.above));
     second_.set(end);
@@ -214,7 +169,7 @@ class Sweep {
 
   void process_end(const std::function<void(const SweepVertex&)>& visit) {
     at_end_ = end_++;
-    box_ = box_of(ends_[at(at_end_)]);
+    box_ = enclosure(ends_[at(at_end_)]);
     is_exact_ = false;
     const auto ends_here = [this] {
       return ended_ < by_end_.size() && pieces_[at(by_end_[ended_])].to == at_end_;
@@ -278,7 +233,7 @@ class Sweep {
     const int stop = pieces_[at(below)].to, other_stop = pieces_[at(above)].to;
     if (stop < other_stop ? side(above, stop) > 0
                           : stop > other_stop && side(below, other_stop) < 0)
-      crossings_.push({box_of_crossing(below, above), below, above});
+      crossings_.push({enclosure_of(below, above), below, above});
   }
 
   const std::vector<ExactPoint>& ends_;
@@ -293,7 +248,7 @@ class Sweep {
   // The present point.
   int at_end_ = -1;    ///< number of the end there; -1: a crossing
   Crossing crossing_;  ///< if it is no end
-  Box box_;
+  Enclosure box_;
   mutable bool is_exact_ = false;  ///< place_ is set
   mutable Place place_;
   mutable Place first_, second_;  ///< for comparisons

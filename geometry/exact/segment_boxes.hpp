@@ -1,0 +1,65 @@
+// PRIVATE to geometry/: boxes of segments, to find pairs that may meet. One box of a
+// long slanted segment would meet most others, so it has several.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "geometry/exact/box_pairs.hpp"
+#include "geometry/exact/enclosure.hpp"
+
+namespace blocks::geometry::exact {
+
+/// Appends boxes that enclose the part of from + s along with s in [begin, end], each
+/// of a part whose larger component is about `longest`, [L]. Rounding must be upwards.
+inline void add_boxes(const Enclosure& from, const Enclosure& along, double begin,
+                      double end, double longest, std::size_t number,
+                      std::vector<Box>& boxes) {
+  const double length =
+      (end - begin) * std::max(std::abs(along.x.sup()), std::abs(along.y.sup()));
+  constexpr double most = 1e6;
+  const double count = std::clamp(std::ceil(length / longest), 1.0, most);
+  const auto at = [&](double i) -> Enclosure {
+    const Interval s =
+        Interval(begin) + (Interval(end) - begin) * (Interval(i) / count);
+    return {from.x + along.x * s, from.y + along.y * s};
+  };
+  const auto least = [](double a, double b) {
+    constexpr double unbounded = -std::numeric_limits<double>::infinity();
+    return a <= b ? a : b <= a ? b : unbounded;  // NaN after an overflow
+  };
+  Enclosure p = at(0.0);
+  for (double i = 1.0; i <= count; ++i) {
+    const Enclosure q = at(i);
+    double low[2] = {least(p.x.inf(), q.x.inf()), least(p.y.inf(), q.y.inf())};
+    double high[2] = {-least(-p.x.sup(), -q.x.sup()), -least(-p.y.sup(), -q.y.sup())};
+    boxes.emplace_back(low, high, number);
+    p = q;
+  }
+}
+
+/// Likewise for the part of a segment inside the box from `low` to `high`, [L], or more
+/// of it.
+inline void add_boxes(const ExactPoint& from, const ExactPoint& to, const Vec2& low,
+                      const Vec2& high, double longest, std::size_t number,
+                      std::vector<Box>& boxes) {
+  const Enclosure p = enclosure(from), along = enclosure(to) - p;
+  double begin = 0.0, end = 1.0;
+  const auto clip = [&](const Interval& start, const Interval& run, double least,
+                        double most) {
+    if (run.inf() <= 0.0 && run.sup() >= 0.0)
+      return;
+    const Interval in = (least - start) / run, out = (most - start) / run;
+    begin = std::max(begin, std::min(in.inf(), out.inf()));
+    end = std::min(end, std::max(in.sup(), out.sup()));
+  };
+  clip(p.x, along.x, low.x(), high.x());
+  clip(p.y, along.y, low.y(), high.y());
+  if (begin <= end)
+    add_boxes(p, along, begin, end, longest, number, boxes);
+}
+
+}  // namespace blocks::geometry::exact
