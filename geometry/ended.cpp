@@ -2,7 +2,7 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/exact/box_pairs.hpp"
+#include "geometry/exact/segment_boxes.hpp"
 #include "geometry/exact/shared_point.hpp"
 #include "geometry/joint_sources.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -10,47 +10,151 @@
 namespace blocks::geometry {
 namespace {
 
+using exact::Enclosure;
+using exact::Interval;
 using exact::Point;
 using exact::Rational;
+using exact::RoundUpwards;
 using exact::Vector;
 
-// A trace p + s * (q - p). The part with s in [begin, end] remains; s = 1/2 is the
-// middle.
-struct Trace {
-  Point from;
-  Vector along;
-  Rational begin = 0, end = 1;
-
-  void meet(const Rational& s) {
-    if (s < 0 || s > 1)
-      return;
-    const bool is_before = 2 * s <= 1;
-    if (is_before && s > begin)
-      begin = s;
-    if (!is_before && s < end)
-      end = s;
-  }
+// Where a trace p + s (q - p) meets a joint.
+struct Meet {
+  std::size_t joint;
+  Interval s;  ///< encloses the parameter
 };
 
-exact::Box box_of(const Point& p, const Point& q, std::size_t number) {
-  const Vec2 a = exact::nearest(p), b = exact::nearest(q);
-  // Encloses the exact points, whose distance to the nearest doubles is below an ulp.
-  const double slack =
-      0x1p-50 * std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>()) +
-      std::numeric_limits<double>::denorm_min();
-  return exact::box_of({a, b}, number, slack);
+// What remains of a trace, around its middle s = 1/2.
+struct Part {
+  std::optional<Meet> begin, end;
+};
+
+// Returns where the trace meets the joint. Joints along the trace do not end it.
+std::optional<Rational> meet(const JointSegment& trace, const JointSegment& joint) {
+  const Point start = exact::point_of(trace.from), from = exact::point_of(joint.from),
+              to = exact::point_of(joint.to);
+  const Vector along = exact::point_of(trace.to) - start, side = to - from,
+               to_joint = from - start;
+  const Rational turn = exact::cross(along, side);
+  if (turn == 0)
+    return {};
+  const Rational on_joint = exact::cross(to_joint, along) / turn;
+  if (on_joint < 0 || on_joint > 1)
+    return {};
+  const Rational s = exact::cross(to_joint, side) / turn;
+  return s < 0 || s > 1 ? std::nullopt : std::optional(s);
 }
 
-// Ends the trace where it meets the joint. Joints along the trace do not end it.
-void end_at(const Point& from, const Point& to, Trace& trace) {
-  const Vector side = to - from, to_joint = from - trace.from;
-  const Rational turn = exact::cross(trace.along, side);
-  if (turn == 0)
-    return;
-  const Rational on_joint = exact::cross(to_joint, trace.along) / turn;
-  if (on_joint >= 0 && on_joint <= 1)
-    trace.meet(exact::cross(to_joint, side) / turn);
-}
+class Ender {
+ public:
+  Ender(const std::vector<JointSegment>& traces,
+        const std::vector<JointSegment>& joints)
+      : traces_(traces), joints_(joints), parts_(traces.size()) {}
+
+  std::vector<JointSegment> run(const ProgressFunction& progress) {
+    StepProgress reading(progress, "end traces", 0.0, 0.2);
+    std::vector<exact::Box> probes, boxes;
+    fill(probes, boxes, reading);
+    StepProgress meeting(progress, "end traces", 0.2, 0.8);
+    CGAL::box_intersection_d(probes.begin(), probes.end(), boxes.begin(), boxes.end(),
+                             [&](const exact::Box& probe, const exact::Box& box) {
+                               meeting.count(0, 1);
+                               test(probe.info(), box.info());
+                             });
+    StepProgress ending(progress, "end traces", 0.8, 1.0);
+    std::vector<JointSegment> result = traces_;
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+      ending.count(i, traces_.size());
+      if (parts_[i].begin)
+        result[i].from = place(i, *parts_[i].begin);
+      if (parts_[i].end)
+        result[i].to = place(i, *parts_[i].end);
+    }
+    return result;
+  }
+
+ private:
+  // Joints are cut off at the box of the traces, and have boxes of the size of traces.
+  void fill(std::vector<exact::Box>& probes, std::vector<exact::Box>& boxes,
+            StepProgress& progress) const {
+    if (traces_.empty() || joints_.empty())
+      return;
+    Vec2 low = traces_[0].from.nearest(), high = low;
+    double sum = 0.0;
+    for (const JointSegment& trace : traces_) {
+      progress.count(0, 1);
+      sum += (trace.to.nearest() - trace.from.nearest()).norm();
+      for (const ExactPoint* end : {&trace.from, &trace.to}) {
+        low = low.cwiseMin(end->nearest());
+        high = high.cwiseMax(end->nearest());
+      }
+    }
+    // As many boxes of joints as there are traces, at most, and one for each joint.
+    const auto traces = static_cast<double>(traces_.size()),
+               joints = static_cast<double>(joints_.size());
+    const double longest =
+        std::max(sum / traces, (high - low).sum() * joints / (traces + joints));
+    const RoundUpwards upwards;
+    constexpr double whole = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+      progress.count(0, 1);
+      exact::add_boxes(traces_[i].from, traces_[i].to, low, high, whole, i, probes);
+    }
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      progress.count(0, 1);
+      exact::add_boxes(joints_[i].from, joints_[i].to, low, high, longest, i, boxes);
+    }
+  }
+
+  void test(std::size_t number, std::size_t joint) {
+    const RoundUpwards upwards;
+    const JointSegment& trace = traces_[number];
+    const Enclosure p = exact::enclosure(trace.from),
+                    along = exact::enclosure(trace.to) - p,
+                    from = exact::enclosure(joints_[joint].from) - p,
+                    to = exact::enclosure(joints_[joint].to) - p;
+    const Interval left = exact::cross(along, from), right = exact::cross(along, to);
+    const auto side = exact::certain_sign(left), other = exact::certain_sign(right);
+    if (side && other && *side * *other > 0)
+      return;
+    if (side && other && *side * *other < 0) {
+      const Interval s = exact::cross(from, to) / (right - left);
+      if (s.sup() < 0.0 || s.inf() > 1.0)
+        return;
+      if (s.inf() > 0.0 && s.sup() < 1.0 && (s.sup() < 0.5 || s.inf() > 0.5))
+        return end_at({joint, s}, s.sup() < 0.5, number);
+    }
+    if (const auto s = meet(trace, joints_[joint]))
+      end_at({joint, exact::around(exact::nearest(*s))}, 2 * *s <= 1, number);
+  }
+
+  // A meet before the middle, or in it, is a new begin if it is after the present one.
+  void end_at(const Meet& here, bool is_before, std::size_t number) {
+    std::optional<Meet>& now = is_before ? parts_[number].begin : parts_[number].end;
+    if (now && is_nearer(*now, here, is_before, number))
+      return;
+    now = here;
+  }
+  bool is_nearer(const Meet& now, const Meet& here, bool is_before,
+                 std::size_t number) const {
+    if (const auto order = exact::certain_order(now.s, here.s); order && *order != 0)
+      return (*order > 0) == is_before;
+    if (now.joint == here.joint)
+      return true;
+    const Rational s = *meet(traces_[number], joints_[now.joint]),
+                   t = *meet(traces_[number], joints_[here.joint]);
+    return is_before ? s >= t : s <= t;
+  }
+
+  ExactPoint place(std::size_t number, const Meet& here) const {
+    const Point start = exact::point_of(traces_[number].from);
+    const Rational s = *meet(traces_[number], joints_[here.joint]);
+    return exact::exact_point(start +
+                              (exact::point_of(traces_[number].to) - start) * s);
+  }
+
+  const std::vector<JointSegment>&traces_, &joints_;
+  std::vector<Part> parts_;
+};
 
 }  // namespace
 
@@ -58,38 +162,7 @@ std::vector<JointSegment> ended_at(const std::vector<JointSegment>& traces,
                                    const std::vector<JointSegment>& joints,
                                    const ProgressFunction& progress) {
   const RoundToNearest mode;
-  StepProgress reading(progress, "end traces", 0.0, 0.3);
-  std::vector<Trace> parts;
-  std::vector<exact::Box> probes, boxes;
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    reading.count(i, traces.size());
-    const Point from = exact::point_of(traces[i].from),
-                to = exact::point_of(traces[i].to);
-    parts.push_back({from, to - from});
-    probes.push_back(box_of(from, to, i));
-  }
-  std::vector<std::pair<Point, Point>> ends;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    ends.emplace_back(exact::point_of(joints[i].from), exact::point_of(joints[i].to));
-    boxes.push_back(box_of(ends[i].first, ends[i].second, i));
-  }
-  StepProgress meeting(progress, "end traces", 0.3, 1.0);
-  CGAL::box_intersection_d(probes.begin(), probes.end(), boxes.begin(), boxes.end(),
-                           [&](const exact::Box& probe, const exact::Box& box) {
-                             meeting.count(0, 1);
-                             const auto& [from, to] = ends[box.info()];
-                             end_at(from, to, parts[probe.info()]);
-                           });
-  std::vector<JointSegment> out;
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    const Trace& part = parts[i];
-    out.push_back(traces[i]);
-    if (part.begin > 0)
-      out.back().from = exact::exact_point(part.from + part.along * part.begin);
-    if (part.end < 1)
-      out.back().to = exact::exact_point(part.from + part.along * part.end);
-  }
-  return out;
+  return Ender(traces, joints).run(progress);
 }
 
 }  // namespace blocks::geometry

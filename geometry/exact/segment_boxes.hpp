@@ -21,7 +21,7 @@ inline void add_boxes(const Enclosure& from, const Enclosure& along, double begi
   const double length =
       (end - begin) * std::max(std::abs(along.x.sup()), std::abs(along.y.sup()));
   constexpr double most = 1e6;
-  const double count = std::clamp(std::ceil(length / longest), 1.0, most);
+  const double count = std::min(std::max(1.0, std::ceil(length / longest)), most);
   const auto at = [&](double i) -> Enclosure {
     const Interval s =
         Interval(begin) + (Interval(end) - begin) * (Interval(i) / count);
@@ -41,8 +41,8 @@ inline void add_boxes(const Enclosure& from, const Enclosure& along, double begi
   }
 }
 
-/// Likewise for the part of a segment inside the box from `low` to `high`, [L], or more
-/// of it.
+/// Likewise for the part of a segment inside a box, or more of it. low, high: the
+/// nearest doubles of the corners of the box, [L].
 inline void add_boxes(const ExactPoint& from, const ExactPoint& to, const Vec2& low,
                       const Vec2& high, double longest, std::size_t number,
                       std::vector<Box>& boxes) {
@@ -56,8 +56,9 @@ inline void add_boxes(const ExactPoint& from, const ExactPoint& to, const Vec2& 
     begin = std::max(begin, std::min(in.inf(), out.inf()));
     end = std::min(end, std::max(in.sup(), out.sup()));
   };
-  clip(p.x, along.x, low.x(), high.x());
-  clip(p.y, along.y, low.y(), high.y());
+  const Enclosure first = around(low), last = around(high);
+  clip(p.x, along.x, first.x.inf(), last.x.sup());
+  clip(p.y, along.y, first.y.inf(), last.y.sup());
   if (begin <= end)
     add_boxes(p, along, begin, end, longest, number, boxes);
 }
