@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "geometry/cut_blocks.hpp"
@@ -88,20 +89,23 @@ void check_request(const CutRequest& request, const std::vector<Point>& outline,
            place, "give a part of the smallest cell that matters");
 }
 
-std::size_t join_straight_edges(CutGraph& graph, const Lines& lines) {
+std::size_t join_straight_edges(CutGraph& graph, const Lines& lines,
+                                StepProgress& progress) {
   std::size_t joined = 0;
-  for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
+  for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v) {
+    progress.count(1, 1);
     if (graph.vertices[at(v)].half_edge >= 0 && graph.degree(v) == 2 &&
         is_superfluous(graph, lines, v)) {
       graph.join_edges(v);
       ++joined;
     }
+  }
   return joined;
 }
 
 // Copies vertices, cells and outline into the result, and counts T and X vertices.
-StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines,
-                          CutResult& result) {
+StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines, CutResult& result,
+                          StepProgress& progress) {
   Mesh& mesh = result.mesh;
   std::vector<int> number(graph.vertices.size(), -1);
   for (std::size_t v = 0; v < graph.vertices.size(); ++v)
@@ -114,6 +118,7 @@ StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines,
   // the one that begins at its lowest vertex.
   std::vector<int> first(at(graph.half_edges()), -1);
   for (int h = 0; h < graph.half_edges(); ++h) {
+    progress.count(1, 1);
     if (!graph.alive(h) || graph.cell[at(h)] < 0)
       continue;
     int& lowest = first[at(graph.cell[at(h)])];
@@ -122,6 +127,7 @@ StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines,
   }
   first.erase(std::remove(first.begin(), first.end(), -1), first.end());
   std::sort(first.begin(), first.end(), [&](int g, int h) {
+    progress.count(1, 1);
     return std::pair(numbered(g), numbered(graph.previous[at(g)])) <
            std::pair(numbered(h), numbered(graph.previous[at(h)]));
   });
@@ -132,13 +138,14 @@ StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines,
     std::vector<bool> corners;
     int h = begin;
     do {
+      progress.count(1, 1);
       // Clockwise, the edge before the origin of h is h itself.
       const int out = graph.previous[at(h)];
       const CutGraph::Edge &a = graph.edge(h), &b = graph.edge(out);
       const CutGraph::Vertex& vertex = graph.from(h);
       const bool on_line =
           vertex.corner < 0 && a.line >= 0 && b.line >= 0 && a.joint == b.joint &&
-          (a.line == b.line || exact::parallel(lines[at(a.line)], lines[at(b.line)])) &&
+          (a.line == b.line || lines.are_parallel(at(a.line), at(b.line))) &&
           graph.degree(graph.origin[at(h)]) > 2;
       cell.push_back(numbered(h));
       joints.push_back(b.joint);
@@ -162,6 +169,7 @@ StraightCorners fill_mesh(const CutGraph& graph, const Lines& lines,
       break;
   }
   for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
+    progress.count(1, 1);
     if (number[v] < 0)
       continue;
     if (is_t[at(number[v])])
@@ -205,9 +213,12 @@ CutResult cleaned(const CutRequest& request, CutGraph graph, const Lines& lines,
   clean(graph, lines, {std::max(request.emin, repair), request.amin, repair},
         result.report,
         StepProgress(request.progress, "clean cells", part.first, middle));
-  const StraightCorners straight = fill_mesh(graph, lines, result);
+  StepProgress making(request.progress, "certify cells", middle,
+                      middle + 0.2 * (part.second - middle));
+  const StraightCorners straight = fill_mesh(graph, lines, result, making);
   make_blocks(result, straight,
-              StepProgress(request.progress, "certify cells", middle, part.second));
+              StepProgress(request.progress, "certify cells",
+                           middle + 0.2 * (part.second - middle), part.second));
   result.report.kept_short = short_sides(result, request.emin);
   return result;
 }
@@ -229,33 +240,42 @@ using EdgeLengths = std::vector<std::pair<int, double>>;  // joint id, length
 
 // Returns the sum for each joint id. The lengths are added in the order of their
 // values, because that of the edges depends on the order of the joints.
-std::map<int, double> sums(EdgeLengths edges) {
-  std::sort(edges.begin(), edges.end());
-  std::map<int, double> result;
+std::map<int, double> sums(const EdgeLengths& edges, StepProgress& progress) {
+  std::map<int, std::vector<double>> lengths;
   for (const auto& [joint, length] : edges)
-    result[joint] += length;
+    lengths[joint].push_back(length);
+  std::map<int, double> result;
+  for (auto& [joint, list] : lengths) {
+    std::sort(list.begin(), list.end(), [&progress](double a, double b) {
+      progress.count(1, 1);
+      return a < b;
+    });
+    result[joint] = std::accumulate(list.begin(), list.end(), 0.0);
+  }
   return result;
 }
 
 // Prunes the graph and reports the lengths of the joints.
-void prune(CutGraph& graph, double area, CutReport& report) {
+void prune(CutGraph& graph, double area, CutReport& report, StepProgress& progress) {
   EdgeLengths drawn, pruned, kept;
   std::vector<std::size_t> inner;
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    progress.count(0, 1);
     if (graph.edges[e].alive && !graph.edges[e].outline) {
       inner.push_back(e);
       drawn.emplace_back(graph.edges[e].joint, graph.length(e));
     }
-  keep_separating_edges(graph, report);
+  }
+  keep_separating_edges(graph, report, progress);
   for (std::size_t i = 0; i < inner.size(); ++i)
     (graph.edges[inner[i]].alive ? kept : pruned).push_back(drawn[i]);
-  for (const auto& [joint, length] : sums(std::move(drawn))) {
+  for (const auto& [joint, length] : sums(drawn, progress)) {
     report.lengths[joint].drawn = length;
     report.p21_before += length / area;
   }
-  for (const auto& [joint, length] : sums(std::move(pruned)))
+  for (const auto& [joint, length] : sums(pruned, progress))
     report.lengths[joint].pruned = length;
-  for (const auto& [joint, length] : sums(std::move(kept)))
+  for (const auto& [joint, length] : sums(kept, progress))
     report.p21_after += length / area;
 }
 
@@ -271,18 +291,21 @@ CutResult cut_outline(const CutRequest& request) {
   CutReport report;
   exact::JointArrangement arrangement =
       exact::arrange_joints(outline, request.joints, request.progress);
-  StepProgress(request.progress, "prune joints", 0.6);
-  prune(arrangement.graph, area, report);
-  report.straight_vertices = join_straight_edges(arrangement.graph, arrangement.lines);
+  StepProgress pruning(request.progress, "prune joints", 0.6, 0.7);
+  prune(arrangement.graph, area, report, pruning);
+  report.straight_vertices =
+      join_straight_edges(arrangement.graph, arrangement.lines, pruning);
   CutGraph graph =
       round_vertices(arrangement, outline, corners,
                      StepProgress(request.progress, "round vertices", 0.7, 0.8));
   arrangement.graph = {};
-  graph.number_cells();
+  StepProgress numbering(request.progress, "round vertices", 0.8, 0.8);
+  graph.number_cells(numbering);
   protect(graph, request.protected_joints);
   CutResult result =
       cleaned(request, graph, arrangement.lines, report, 0.0, {0.8, 0.95});
-  std::optional<CutFault> fault = find_fault(result, request);
+  StepProgress proving(request.progress, "certify cells", 0.95, 0.95);
+  std::optional<CutFault> fault = find_fault(result, request, proving);
   // Where rounding has destroyed cells, very short edges are contracted as well.
   double begin = 0.95;
   const double unit = largest_unit(corners);
@@ -294,7 +317,8 @@ CutResult cut_outline(const CutRequest& request) {
     CutResult again =
         cleaned(request, graph, arrangement.lines, report, emin, {begin, begin + 0.01});
     begin += 0.01;
-    if (!find_fault(again, request)) {
+    StepProgress proving_again(request.progress, "certify cells", begin, begin);
+    if (!find_fault(again, request, proving_again)) {
       fault.reset();
       result = std::move(again);
       result.report.repaired_below = emin;

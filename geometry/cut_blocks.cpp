@@ -21,23 +21,20 @@ constexpr int most_rounds = 64;
 
 class BlockMaker {
  public:
-  BlockMaker(CutResult& result, StraightCorners dropped)
-      : result_(result), vertices_(result.mesh.vertices), dropped_(std::move(dropped)),
-        axes_(vertices_.size()) {
+  BlockMaker(CutResult& result, StraightCorners dropped, StepProgress& progress)
+      : result_(result), progress_(progress), vertices_(result.mesh.vertices),
+        dropped_(std::move(dropped)), axes_(vertices_.size()) {
     for (std::size_t c = 0; c < dropped_.size(); ++c)
       if (std::find(dropped_[c].begin(), dropped_[c].end(), true) != dropped_[c].end())
         cells_.push_back(c);
     note_axes();
   }
-  void move_out(StepProgress& progress) {
+  void move_out() {
     bool moving = true;
     for (int round = 0; round < most_rounds && moving; ++round) {
       moving = false;
-      for_each_intruder(
-          [&](std::size_t, std::size_t, int v, const Vec2& a, const Vec2& b) {
-            progress.count(0, 1);
-            moving = leave(v, a, b) || moving;
-          });
+      for_each_intruder([&](std::size_t, std::size_t, int v, const Vec2& a,
+                            const Vec2& b) { moving = leave(v, a, b) || moving; });
     }
   }
   // A vertex that is still inside the block remains its corner. This changes the sides
@@ -52,6 +49,7 @@ class BlockMaker {
           });
     }
     for (const std::size_t cell : cells_) {
+      progress_.count(0, 1);
       Polygon outline;
       for (const int v : block(cell).corners)
         outline.push_back(vertices_[index(v)]);
@@ -79,6 +77,7 @@ class BlockMaker {
   // Calls visit for dropped vertices inside the block, with the side that they are in.
   template <typename Visit> void for_each_intruder(Visit visit) {
     for (const std::size_t cell : cells_) {
+      progress_.count(0, 1);
       const std::vector<int>& loop = result_.mesh.cells[cell];
       const std::size_t n = loop.size();
       std::size_t before = 0, after = 0;  // ends of the side; i is inside
@@ -109,7 +108,8 @@ class BlockMaker {
            CGAL::RIGHT_TURN;
   }
   void note_axes() {
-    for (const std::vector<int>& loop : result_.mesh.cells)
+    for (const std::vector<int>& loop : result_.mesh.cells) {
+      progress_.count(0, 1);
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const int v = loop[i], w = loop[(i + 1) % loop.size()];
         for (const int end : {v, w}) {
@@ -120,6 +120,7 @@ class BlockMaker {
               axes.vertical || vertices_[index(v)].x() == vertices_[index(w)].x();
         }
       }
+    }
   }
   // Moves the vertex out of the side a -> b, along the axis of an axis-parallel edge if
   // that is enough. Returns whether it moved.
@@ -149,6 +150,7 @@ class BlockMaker {
   }
 
   CutResult& result_;
+  StepProgress& progress_;
   std::vector<Vec2>& vertices_;
   StraightCorners dropped_;
   std::vector<Axes> axes_;
@@ -165,6 +167,8 @@ std::size_t count(const StraightCorners& corners) {
 }  // namespace
 
 std::size_t short_sides(const CutResult& result, double emin) {
+  if (emin == 0.0)
+    return 0;
   std::set<std::pair<int, int>> found;
   for (const CutBlock& block : result.blocks)
     for (std::size_t i = 0; i < block.corners.size(); ++i) {
@@ -182,20 +186,23 @@ void make_blocks(CutResult& result, const StraightCorners& straight,
   const auto finish = [&](BlockMaker& maker) {
     maker.keep_intruders();
     result.blocks.clear();
-    for (std::size_t c = 0; c < result.mesh.cells.size(); ++c)
+    result.blocks.reserve(result.mesh.cells.size());
+    for (std::size_t c = 0; c < result.mesh.cells.size(); ++c) {
+      progress.count(0, 1);
       result.blocks.push_back(maker.block(c));
+    }
     result.report.kept_t_vertices = count(straight) - count(maker.dropped());
     result.report.moved_t_vertices = 0;
     for (std::size_t v = 0; v < before.size(); ++v)
       result.report.moved_t_vertices += before[v] != result.mesh.vertices[v] ? 1U : 0U;
     result.certificate = certify_tiling(result.mesh, &progress);
   };
-  BlockMaker maker(result, straight);
-  maker.move_out(progress);
+  BlockMaker maker(result, straight, progress);
+  maker.move_out();
   finish(maker);
   if (!result.certificate.holds && result.report.moved_t_vertices > 0) {
     result.mesh.vertices = before;  // thin cells may leave no room to move
-    BlockMaker careful(result, straight);
+    BlockMaker careful(result, straight, progress);
     finish(careful);
   }
 }

@@ -76,7 +76,7 @@ bool is_on(const RequestedSide& side, const Vec2& p) {
 }
 
 // The areas of the cells add up to that of their common outline, exactly.
-bool areas_add_up(const Mesh& mesh) {
+bool areas_add_up(const Mesh& mesh, StepProgress& progress) {
   using CGAL::Mpzf;
   const auto twice = [&mesh](const std::vector<int>& loop) {
     Mpzf sum = 0;
@@ -88,8 +88,10 @@ bool areas_add_up(const Mesh& mesh) {
     return sum;
   };
   Mpzf rest = twice(mesh.outline);
-  for (const std::vector<int>& cell : mesh.cells)
+  for (const std::vector<int>& cell : mesh.cells) {
+    progress.count(1, 1);
     rest = rest - twice(cell);
+  }
   return CGAL::sign(rest) == CGAL::ZERO;
 }
 
@@ -192,12 +194,13 @@ std::optional<CutFault> outline_deviation(const Mesh& mesh, const CutRequest& re
   return std::nullopt;
 }
 
-std::optional<CutFault> find_fault(const CutResult& result, const CutRequest& request) {
+std::optional<CutFault> find_fault(const CutResult& result, const CutRequest& request,
+                                   StepProgress& progress) {
   if (!result.certificate.holds)
     return cell_fault(result);
   if (const auto deviation = outline_deviation(result.mesh, request))
     return deviation;
-  if (!areas_add_up(result.mesh))
+  if (!areas_add_up(result.mesh, progress))
     return CutFault{"the areas of the cells do not add up", result.mesh.vertices[0]};
   return std::nullopt;
 }

@@ -30,6 +30,7 @@ std::optional<CutFault> outline_deviation(const Mesh& mesh, const CutRequest& re
 /// Returns the first fault of the result, or nothing if the certificate holds. The
 /// fault names the joints that meet at its place. Requires the certificate of the
 /// tiling.
-std::optional<CutFault> find_fault(const CutResult& result, const CutRequest& request);
+std::optional<CutFault> find_fault(const CutResult& result, const CutRequest& request,
+                                   StepProgress& progress);
 
 }  // namespace blocks::geometry

@@ -14,7 +14,7 @@ bool is_superfluous(const CutGraph& graph, const exact::Lines& lines, int vertex
       graph.edge(graph.next[CutGraph::at(CutGraph::twin(v.half_edge))]);
   return a.joint == b.joint && a.outline == b.outline && a.line >= 0 && b.line >= 0 &&
          (a.line == b.line ||
-          exact::parallel(lines[CutGraph::at(a.line)], lines[CutGraph::at(b.line)]));
+          lines.are_parallel(CutGraph::at(a.line), CutGraph::at(b.line)));
 }
 
 void clean(CutGraph& graph, const exact::Lines& lines, const CleaningLimits& limits,

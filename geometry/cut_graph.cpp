@@ -12,15 +12,16 @@ constexpr auto at = CutGraph::at;
 // Tarjan's depth-first search with an explicit stack.
 class Biconnected {
  public:
-  explicit Biconnected(const CutGraph& graph)
-      : graph_(graph), found_(graph.vertices.size(), 0), low_(graph.vertices.size(), 0),
-        component_(graph.edges.size(), -1) {}
+  Biconnected(const CutGraph& graph, StepProgress& progress)
+      : graph_(graph), progress_(progress), found_(graph.vertices.size(), 0),
+        low_(graph.vertices.size(), 0), component_(graph.edges.size(), -1) {}
 
   /// Searches from the origin of the half-edge, which is the first to be followed.
   void search(int half_edge) {
     const int root = graph_.origin[at(half_edge)];
     open(root, -1, half_edge);
     while (!stack_.empty()) {
+      progress_.count(0, 1);
       Visit& visit = stack_.back();
       if (visit.next < 0) {
         close();
@@ -74,6 +75,7 @@ class Biconnected {
   }
 
   const CutGraph& graph_;
+  StepProgress& progress_;
   std::vector<int> found_, low_;  ///< time of discovery; 0: not yet
   std::vector<int> component_;
   std::vector<int> pending_;
@@ -127,12 +129,13 @@ int CutGraph::degree(int vertex) const {
   return count;
 }
 
-void CutGraph::number_cells() {
+void CutGraph::number_cells(StepProgress& progress) {
   constexpr int unknown = -2;
   const std::vector<int> before = cell;
   cell.assign(origin.size(), unknown);
   int count = 0;
   for (int h = 0; h < half_edges(); ++h) {
+    progress.count(1, 1);
     if (!alive(h) || cell[at(h)] != unknown)
       continue;
     const int number = before[at(h)] < 0 ? -1 : count++;
@@ -144,24 +147,26 @@ void CutGraph::number_cells() {
   }
 }
 
-void keep_separating_edges(CutGraph& graph, CutReport& report) {
+void keep_separating_edges(CutGraph& graph, CutReport& report, StepProgress& progress) {
   const auto vertices = static_cast<int>(graph.vertices.size());
   int start = 0;
   while (!graph.alive(start) || !graph.edge(start).outline)
     ++start;
-  Biconnected search(graph);
+  Biconnected search(graph, progress);
   search.search(start);
   const int kept = search.component(at(start) / 2);
   const int connected = search.components();
   std::size_t parts = 1;
   std::vector<std::size_t> first_of_part;  // first component of each island
   std::vector<int> island_of;              // of each component after `connected`
-  for (int v = 0; v < vertices; ++v)
+  for (int v = 0; v < vertices; ++v) {
+    progress.count(1, 1);
     if (graph.vertices[at(v)].half_edge >= 0 && !search.found(v)) {
       search.search(graph.vertices[at(v)].half_edge);
       island_of.resize(at(search.components() - connected), static_cast<int>(parts));
       ++parts;
     }
+  }
   report.components = parts;
 
   std::vector<int> size(at(search.components()), 0);
@@ -191,6 +196,7 @@ void keep_separating_edges(CutGraph& graph, CutReport& report) {
   report.edges = edges;
   report.faces = edges + parts - report.vertices;  // Euler's formula, inner faces
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    progress.count(1, 1);
     if (!graph.edges[e].alive || search.component(e) == kept)
       continue;
     ++report.pruned_edges;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/cut.hpp"
+#include "geometry/step_progress.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry {
@@ -61,7 +62,7 @@ class CutGraph {
   int degree(int vertex) const;
   /// Numbers the cells; -1 outside of the outline. Requires that the graph is
   /// connected.
-  void number_cells();
+  void number_cells(StepProgress& progress);
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 };
@@ -69,6 +70,6 @@ class CutGraph {
 /// Removes all edges that are not on a common simple cycle with an edge of the outline:
 /// dangling ends, islands, and loops that meet the rest in one vertex. In what remains,
 /// every face is bounded by one simple cycle. Fills the counts of the report.
-void keep_separating_edges(CutGraph& graph, CutReport& report);
+void keep_separating_edges(CutGraph& graph, CutReport& report, StepProgress& progress);
 
 }  // namespace blocks::geometry

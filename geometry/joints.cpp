@@ -21,6 +21,8 @@ namespace {
 /// on the edge's line or inside. The sign is exact, and the distance is exact up to
 /// rounding.
 double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
+  if (corner == a || corner == b)
+    return 0.0;  // common corners are frequent, and need no exact numbers
   if (CGAL::orientation(exact::point(a), exact::point(b), exact::point(corner)) !=
       CGAL::LEFT_TURN)
     return 0.0;

@@ -60,8 +60,11 @@ class Rounder {
         places_[v] = round(graph_.vertices[v]);
         order.push_back(static_cast<int>(v));
       }
-    std::sort(order.begin(), order.end(), [this](int a, int b) { return less(a, b); });
-    return renumbered(order);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      progress.count(1, 1);
+      return less(a, b);
+    });
+    return renumbered(order, progress);
   }
 
  private:
@@ -88,7 +91,7 @@ class Rounder {
     return a != b &&
            exact_place(graph_.vertices[at(a)]) < exact_place(graph_.vertices[at(b)]);
   }
-  CutGraph renumbered(const std::vector<int>& order) const {
+  CutGraph renumbered(const std::vector<int>& order, StepProgress& progress) const {
     CutGraph result;
     std::vector<int> number(graph_.vertices.size(), -1);
     for (const int v : order) {
@@ -98,12 +101,16 @@ class Rounder {
     }
     std::vector<std::tuple<int, int, int>> edges;  // lower end, higher end, half-edge
     for (int h = 0; h < graph_.half_edges(); ++h) {
+      progress.count(1, 1);
       const int from = number[at(graph_.origin[at(h)])];
       const int to = number[at(graph_.target(h))];
       if (graph_.alive(h) && from < to)
         edges.emplace_back(from, to, h);
     }
-    std::sort(edges.begin(), edges.end());
+    std::sort(edges.begin(), edges.end(), [&progress](const auto& a, const auto& b) {
+      progress.count(1, 1);
+      return a < b;
+    });
     std::vector<int> half_edge(at(graph_.half_edges()), -1);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const int h = std::get<2>(edges[e]);
@@ -117,6 +124,7 @@ class Rounder {
     result.previous.resize(count);
     result.cell.resize(count);
     for (int h = 0; h < graph_.half_edges(); ++h) {
+      progress.count(1, 1);
       if (!graph_.alive(h))
         continue;
       const std::size_t i = at(half_edge[at(h)]);

@@ -95,7 +95,7 @@ class GraphMaker {
     if (vertex.first < 0)
       vertex.first = source.line;
     else if (vertex.second < 0 && source.line != vertex.first &&
-             !parallel(lines_[at(source.line)], lines_[at(vertex.first)]))
+             !lines_.are_parallel(at(source.line), at(vertex.first)))
       vertex.second = source.line;
   }
 

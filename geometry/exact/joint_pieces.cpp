@@ -55,22 +55,29 @@ class Ends {
   std::size_t size() const { return points_.size(); }
   // Returns the different points in their order, and the number of each one added.
   std::vector<ExactPoint> sorted(std::vector<int>& numbers, StepProgress& progress) {
-    std::vector<int> order(points_.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-      order[i] = static_cast<int>(i);
-    std::sort(order.begin(), order.end(), [&](int i, int j) {
+    struct Keyed {
+      double x;
+      int index;
+    };
+    std::vector<Keyed> order;
+    order.reserve(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      order.push_back({points_[i].nearest().x(), static_cast<int>(i)});
+    std::sort(order.begin(), order.end(), [&](const Keyed& a, const Keyed& b) {
       progress.count(0, 1);
-      return compare(points_[at(i)], points_[at(j)]) < 0;
+      // Rounding keeps the order, so different doubles decide.
+      return a.x != b.x ? a.x < b.x
+                        : compare(points_[at(a.index)], points_[at(b.index)]) < 0;
     });
     std::vector<ExactPoint> result;
     result.reserve(points_.size());
     numbers.resize(points_.size());
-    for (const int i : order) {
+    for (const Keyed& key : order) {
       progress.count(0, 1);
-      ExactPoint& point = points_[at(i)];
+      ExactPoint& point = points_[at(key.index)];
       if (result.empty() || compare(result.back(), point) != 0)
         result.push_back(std::move(point));
-      numbers[at(i)] = static_cast<int>(result.size()) - 1;
+      numbers[at(key.index)] = static_cast<int>(result.size()) - 1;
     }
     return result;
   }

@@ -96,8 +96,6 @@ Line Lines::operator[](std::size_t i) const {
     mpz_roinit_n(number, limbs, entry.sizes[k]);
     limbs += std::abs(entry.sizes[k++]);
   }
-  line.run = entry.run;
-  line.rise = entry.rise;
   return line;
 }
 
@@ -122,15 +120,15 @@ std::uint64_t Lines::hash(std::size_t i) const {
   return sum;
 }
 
-bool parallel(const Line& s, const Line& t) { return turn(s, t) == 0; }
-
-int turn(const Line& s, const Line& t) {
+int Lines::turn(std::size_t i, std::size_t j) const {
+  const Entry &s = entries_[i], &t = entries_[j];
   // The components are at most 1 and have an error of 2^-52 or less, so the two
   // products are certain to 2^-49.
   const double area = s.run * t.rise - s.rise * t.run;
   if (std::abs(area) > 0x1p-49)
     return area > 0.0 ? 1 : -1;
-  const int order = compare_products(s.a, t.b, s.b, t.a);
+  const Line u = (*this)[i], v = (*this)[j];
+  const int order = compare_products(u.a, v.b, u.b, v.a);
   return order > 0 ? 1 : order < 0 ? -1 : 0;
 }
 

@@ -16,8 +16,7 @@ namespace blocks::geometry::exact {
 /// The line a x + b y + c = 0, without common divisors; (b, -a) is its direction. A
 /// view, valid as long as its Lines do not change.
 struct Line {
-  mpz_t a, b, c;     ///< read only; nothing is to be cleared
-  double run, rise;  ///< direction, scaled to about 1, to 51 bits or more
+  mpz_t a, b, c;  ///< read only; nothing is to be cleared
 };
 
 /// Lines in few blocks of memory.
@@ -28,6 +27,10 @@ class Lines {
   void add(const ExactPoint& p, const ExactPoint& q);
   std::size_t size() const { return entries_.size(); }
   Line operator[](std::size_t i) const;
+  /// Returns the sign of (direction of i) x (direction of j): positive if j is turned
+  /// to the left from i. Usually takes no exact numbers.
+  int turn(std::size_t i, std::size_t j) const;
+  bool are_parallel(std::size_t i, std::size_t j) const { return turn(i, j) == 0; }
   /// Whether the coefficients are the same. Lines through the same points in the same
   /// order have the same coefficients.
   bool are_equal(std::size_t i, std::size_t j) const;
@@ -38,7 +41,7 @@ class Lines {
   struct Entry {
     std::size_t begin;      ///< of its limbs
     std::int32_t sizes[3];  ///< numbers of limbs, with the signs of a, b, c
-    double run, rise;
+    double run, rise;       ///< direction, scaled to about 1, to 51 bits or more
   };
   std::size_t end_of(std::size_t i) const {
     return i + 1 < entries_.size() ? entries_[i + 1].begin : limbs_.size();
@@ -46,13 +49,6 @@ class Lines {
   std::vector<Entry> entries_;
   std::vector<mp_limb_t> limbs_;
 };
-
-/// Tests whether two lines are parallel.
-bool parallel(const Line& s, const Line& t);
-
-/// Returns the sign of (direction of s) x (direction of t): positive if t is turned to
-/// the left from s.
-int turn(const Line& s, const Line& t);
 
 /// A point x / w, y / w with w > 0, which keeps its memory.
 class Place {

@@ -204,8 +204,9 @@ class Sweep {
     for (; begun_ < pieces_.size() && pieces_[begun_].from == at_end_; ++begun_)
       right_.push_back(static_cast<int>(begun_));
     if (right_.size() > continued)
-      std::sort(right_.begin(), right_.end(),
-                [this](int s, int t) { return turn(line(s), line(t)) > 0; });
+      std::sort(right_.begin(), right_.end(), [this](int s, int t) {
+        return lines_.turn(at(pieces_[at(s)].line), at(pieces_[at(t)].line)) > 0;
+      });
     const int below = first == status_.begin() ? -1 : std::prev(first)->piece;
     visit({at_end_, left_, right_, below});
     for (const int piece : left_)

@@ -298,6 +298,7 @@ int dispatch(std::vector<std::string> words) {
 
   if (*run) {
     blocks::apps::outlive_broken_pipes();
+    options.ends_process = true;
     return blocks::run::run_deck(options);
   }
   if (*fos) {

@@ -54,6 +54,7 @@ int find_factor_of_safety(run::RunOptions options, const FosOptions& fos) {
   add_field("lower", fos.lower, options);
   add_field("upper", fos.upper, options);
   card.erase(card.find_last_not_of(", ") + 1);
+  options.ends_process = true;
   return run::run_deck(options);
 }
 

@@ -1,5 +1,9 @@
 #include "run/interrupt.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <utility>
 
@@ -9,7 +13,18 @@ namespace {
 volatile std::sig_atomic_t requested = 0;
 thread_local std::function<bool()> polled;
 
+// What EndAtOnce asks for. The handler reads it while `ends` is set.
+volatile std::sig_atomic_t ends = 0;
+std::array<char, 256> last_words;
+std::size_t length_of_last_words = 0;
+int last_code = 0;
+
 void on_signal(int signal) {
+  if (ends != 0) {
+    [[maybe_unused]] const auto written =
+        write(STDERR_FILENO, last_words.data(), length_of_last_words);
+    _exit(last_code);
+  }
   requested = 1;
   // The system repeats SIGXCPU every second; the checkpoint may take longer.
   if (signal != SIGXCPU)
@@ -33,6 +48,18 @@ void stop_if_interrupted() {
   if (interrupt_requested())
     throw Interrupted();
 }
+
+EndAtOnce::EndAtOnce(const std::string& message, int code) {
+  if (polled)
+    return;
+  const std::string text =
+      (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + message;  // no progress line
+  length_of_last_words = std::min(text.size(), last_words.size());
+  std::copy_n(text.begin(), length_of_last_words, last_words.begin());
+  last_code = code;
+  ends = 1;
+}
+EndAtOnce::~EndAtOnce() { ends = 0; }
 
 InterruptPoll::InterruptPoll(std::function<bool()> poll) { polled = std::move(poll); }
 InterruptPoll::~InterruptPoll() { polled = nullptr; }

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace blocks::run {
 
@@ -21,6 +22,19 @@ struct Interrupted : std::runtime_error {
 
 /// Throws Interrupted if an interrupt is requested.
 void stop_if_interrupted();
+
+/// While it exists, a signal ends the process at once, because there is nothing to
+/// save: memory of gigabytes would take long to be freed. Has no effect if an
+/// InterruptPoll exists. Only one may exist at a time.
+class EndAtOnce {
+ public:
+  /// Requires catch_interrupts(). message: written to standard error. code: of the
+  /// process.
+  EndAtOnce(const std::string& message, int code);
+  ~EndAtOnce();
+  EndAtOnce(const EndAtOnce&) = delete;
+  EndAtOnce& operator=(const EndAtOnce&) = delete;
+};
 
 /// For programs that handle signals themselves: while it exists, runs of this thread
 /// install no handlers, and ask this function whether to stop.

@@ -31,6 +31,8 @@ namespace {
 
 using dynamics::Profile;
 
+constexpr const char* nothing_written = "blocks: interrupted; no file was written\n";
+
 /// Loads the checkpoint of a deck to be checked. If that fails, reports it at the
 /// RESTART card, and the model stays empty. Throws output::FileError if --restart alone
 /// is at fault.
@@ -114,7 +116,7 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
   try {
     return check_cards(job, start, notes);
   } catch (const Interrupted&) {
-    std::fputs("blocks: interrupted; no file was written\n", stderr);
+    std::fputs(nothing_written, stderr);
     job.fault = interrupted;
     return false;
   }
@@ -377,6 +379,9 @@ int run_deck(const RunOptions& options) {
   Model checked;
   std::vector<std::string> notes;
   catch_interrupts();
+  std::optional<EndAtOnce> at_once;
+  if (options.ends_process)
+    at_once.emplace(nothing_written, interrupted);
   const bool sound = check(job, checked, notes);
   tell(job);
   if (!sound)
@@ -396,6 +401,7 @@ int run_deck(const RunOptions& options) {
   if (options.at_start && !job.loads())
     options.at_start(checked, job.certificate);
   checked = {};  // frees the memory before the run
+  at_once.reset();
   Console console(!options.json, options.quiet);
   console.give_warnings_to(options.warn);
   return execute(job, console, warnings_of(job.diagnostics));
@@ -425,6 +431,7 @@ CheckedDeck build_checked(const RunOptions& options) {
 int check_deck(const RunOptions& options) {
   Job job(options);
   catch_interrupts();
+  const EndAtOnce at_once(nothing_written, interrupted);
   const auto checked = checked_deck(job);
   if (checked.code != done)
     return checked.code;

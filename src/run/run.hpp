@@ -47,6 +47,8 @@ struct RunOptions {
   long audit_every = 0;             ///< steps between audits; 0 means none
   bool profile = false;             ///< print where the time went
   bool driven = false;              ///< a program makes the steps: no MOTION is needed
+  /// An interrupt before the run ends the process at once.
+  bool ends_process = false;
   bool quiet = false;
   bool verbose = false;
   bool json = false;  ///< print the summary instead of the table

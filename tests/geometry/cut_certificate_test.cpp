@@ -109,7 +109,8 @@ TEST(CutCertificate, AFaultHasAPlaceAndNamesTheJoints) {
     EXPECT_GE(v, 0);
     damaged.mesh.vertices[static_cast<std::size_t>(v)] = place;
     damaged.certificate = certify_tiling(damaged.mesh);
-    return find_fault(damaged, cuts);
+    StepProgress unseen(cuts.progress, "");
+    return find_fault(damaged, cuts, unseen);
   };
   EXPECT_FALSE(fault_with({5.2, 5.2}));
   const auto fault = fault_with({5.25, -1.0});

@@ -46,6 +46,39 @@ TEST(Interrupts, OfTheSessionRemainIgnoredUnderNohup) {
       ::testing::ExitedWithCode(0), "");
 }
 
+// Until a run begins there is nothing to save, and to free the memory takes time.
+TEST(Interrupts, EndTheProcessAtOnceWhileThereIsNothingToSave) {
+  EXPECT_EXIT(
+      {
+        run::catch_interrupts();
+        const run::EndAtOnce at_once("nothing was saved\n", 42);
+        std::raise(SIGINT);
+        std::exit(0);
+      },
+      ::testing::ExitedWithCode(42), "nothing was saved\n");
+  EXPECT_EXIT(
+      {
+        run::catch_interrupts();
+        { const run::EndAtOnce at_once("nothing was saved\n", 42); }
+        std::raise(SIGINT);
+        std::exit(run::interrupt_requested() ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+TEST(Interrupts, OfACallingProgramDoNotEndTheProcess) {
+  EXPECT_EXIT(
+      {
+        run::catch_interrupts();
+        bool asked = false;
+        const run::InterruptPoll poll([&asked] { return asked = true; });
+        const run::EndAtOnce at_once("nothing was saved\n", 42);
+        std::raise(SIGINT);
+        std::exit(run::interrupt_requested() && asked ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
 TEST(Interrupts, EndACheckBetweenTwoCards) {
   const TemporaryFolder folder;
   folder.write("a.deck", preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 1\n");
