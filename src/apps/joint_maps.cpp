@@ -219,7 +219,7 @@ class Reader {
     for (const geometry::JointSegment& one : segments) {
       const bool goes_on = last != nullptr && last->id == one.id &&
                            !cells.contains(one.id) &&
-                           last->to.rational() == one.from.rational() &&
+                           last->to.packed() == one.from.packed() &&
                            last->to.nearest() == one.from.nearest();
       map.traces += goes_on ? 0 : 1;
       map.segments.push_back({one.from, one.to, map.traces});
