@@ -144,31 +144,34 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
       .add_option("--material", options.material,
                   "material of blocks for which the file gives none")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--deck", options.deck,
-                   "also write a deck that uses the mesh, NAME.deck");
-  const auto* map = command.add_flag(
+  CLI::Option* deck = command.add_flag(
+      "--deck", options.deck, "also write a deck that uses the mesh, NAME.deck");
+  CLI::Option* map = command.add_flag(
       "--map", options.map,
       "the lines are joints: write a deck that cuts blocks along them, NAME.deck");
+  map->excludes(deck);
   command
       .add_option("--outline", options.outline,
                   "with --map: a file with the polygon to be cut (default: the only "
                   "closed line of a DXF map, or the box around the lines)")
-      ->needs(const_cast<CLI::Option*>(map));
+      ->needs(map);
   command
       .add_option(
           "--snap", options.snap,
           "with --map: loose ends are prolonged to the next joint if that is at "
           "most this far")
-      ->needs(const_cast<CLI::Option*>(map))
+      ->needs(map)
       ->check(CLI::NonNegativeNumber);
   command
       .add_option("--layer", options.layers,
                   "with --map: the joint id of a layer, NAME=ID, or NAME=outline or "
                   "NAME=skip; may be repeated")
-      ->needs(const_cast<CLI::Option*>(map))
+      ->needs(map)
       ->allow_extra_args(false);
-  command.add_flag("--keep-overlaps", options.keep_overlaps,
-                   "accept blocks that overlap, with a warning");
+  command
+      .add_flag("--keep-overlaps", options.keep_overlaps,
+                "accept blocks that overlap, with a warning")
+      ->excludes(map);
   command.add_flag(
       "--report-only", options.report_only,
       "report what is found and write nothing; exit 0 even if blocks are unsound");

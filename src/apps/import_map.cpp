@@ -11,6 +11,7 @@
 #include "exchange/deck_skeleton.hpp"
 #include "exchange/dxf_reader.hpp"
 #include "exchange/trace_reader.hpp"
+#include "geometry/polygon.hpp"
 #include "output/check_outputs.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"
@@ -66,6 +67,17 @@ std::string list_of(const std::vector<Layer>& layers) {
                        : fmt::format("layers: {}", fmt::join(texts, ", "));
 }
 
+/// Refuses a map in which only some lines have a layer, because no card names the
+/// others.
+void check_layers(const TraceFile& file) {
+  const auto without = std::count_if(file.traces.begin(), file.traces.end(),
+                                     [](const Trace& one) { return one.layer < 0; });
+  if (!file.layers.empty() && without > 0)
+    throw Refusal{fmt::format("{} line{} no layer, and the others have one", without,
+                              without == 1 ? " has" : "s have"),
+                  "give every line the property \"layer\""};
+}
+
 /// Applies --layer NAME=ID, NAME=outline and NAME=skip.
 void give_roles(const std::vector<std::string>& given, std::vector<Layer>& layers) {
   for (const std::string& text : given) {
@@ -98,7 +110,7 @@ std::optional<std::string> outline_layer(std::vector<Layer>& layers) {
   for (Layer& layer : layers) {
     if (layer.role == Role::outline)
       named.push_back(&layer);
-    if (layer.role == Role::joints && layer.closed > 0)
+    if (layer.role == Role::joints && layer.closed > 0 && layer.joint == 0)
       closed.push_back(&layer);
   }
   if (named.size() > 1)
@@ -159,6 +171,38 @@ std::string quoted(const std::string& word) {
   return quote + word + quote;
 }
 
+/// The lines of an OUTLINE card with these corners.
+std::string outline_card(const std::vector<geometry::DecimalPoint>& corners,
+                         const std::string& comment) {
+  std::string x, y;
+  for (const geometry::DecimalPoint& corner : corners) {
+    const char* separator = x.empty() ? "" : ",\n";
+    x += separator + fmt::format("{}", corner.x.value());
+    y += separator + fmt::format("{}", corner.y.value());
+  }
+  return fmt::format("OUTLINE, {}, 1            $ {}\n{}\n{}\n", corners.size(),
+                     comment, x, y);
+}
+
+/// The closed line of a layer, clockwise, in a form whose lines are no polygons.
+std::string closed_line_card(const TraceFile& file, const std::string& layer) {
+  for (const Trace& trace : file.traces) {
+    if (file.layers[static_cast<std::size_t>(trace.layer)] != layer ||
+        !is_closed(trace))
+      continue;
+    std::vector<geometry::DecimalPoint> corners(trace.points.begin(),
+                                                trace.points.end() - 1);
+    geometry::Polygon nearest;
+    for (const geometry::DecimalPoint& corner : corners)
+      nearest.emplace_back(corner.x.value(), corner.y.value());
+    if (geometry::check_outline(nearest).anticlockwise)
+      std::reverse(corners.begin() + 1, corners.end());
+    return outline_card(corners, "the closed line of a layer");
+  }
+  throw Refusal{"--layer " + layer + "=outline: the layer has no closed line",
+                "close the line, or give --outline FILE"};
+}
+
 /// The box around the traces as the lines of an OUTLINE card.
 std::string box_card(const TraceFile& file) {
   double left = HUGE_VAL, low = HUGE_VAL, right = -HUGE_VAL, high = -HUGE_VAL;
@@ -169,6 +213,9 @@ std::string box_card(const TraceFile& file) {
       low = std::min(low, point.y.value());
       high = std::max(high, point.y.value());
     }
+  if (!(left < right && low < high))
+    throw Refusal{"the lines are along one line, so the box around them has no area",
+                  "give --outline FILE"};
   return fmt::format("OUTLINE, 4, 1            $ the box around the traces\n"
                      "{0}, {0}, {1}, {1}\n{2}, {3}, {3}, {2}\n",
                      left, right, low, high);
@@ -187,6 +234,7 @@ std::string cards_of(const TraceFile& file, const std::vector<Layer>& layers,
   const std::string how_far = snap < 0.0 ? "" : fmt::format("{}", snap);
   std::string cards =
       !outline.empty() ? fmt::format("OUTLINE, , 1, {}\n", quoted(outline))
+      : outline_layer && file.form != "DXF" ? closed_line_card(file, *outline_layer)
       : outline_layer
           ? fmt::format("OUTLINE, , 1, {}{}\n", quoted(map),
                         outline_layer->empty() ? std::string()
@@ -267,25 +315,30 @@ int import_map(ImportOptions options) {
   if (exchange::has_errors(file.messages))
     return run::deck_error;
 
-  std::vector<Layer> layers = layers_of(file);
   std::optional<std::string> of_outline;
+  // Ids of the file are kept, unless the user gives layers a meaning.
+  const bool keeps_ids =
+      file.form != "DXF" && options.layers.empty() &&
+      std::any_of(file.traces.begin(), file.traces.end(),
+                  [](const Trace& one) { return one.joint.has_value(); });
+  std::vector<Layer> layers = keeps_ids ? std::vector<Layer>() : layers_of(file);
+  std::string here;
   try {
+    if (!keeps_ids)
+      check_layers(file);
     give_roles(options.layers, layers);
     if (options.outline.empty())
       of_outline = outline_layer(layers);
     check_names(layers, of_outline);
     number(layers);
+    here = cards_of(file, layers, of_outline, options.snap,
+                    {options.file, options.outline});
   } catch (const Refusal& refusal) {
     return refuse(run::usage_error, refusal.message, refusal.hint);
   }
-  const bool is_drawing = file.form == "DXF";
-  if (!is_drawing)  // its lines cannot be polygons
-    of_outline.reset();
   if (!options.quiet)
     fmt::print("{}: {}\n", options.file, file.found);
 
-  const std::string here =
-      cards_of(file, layers, of_outline, options.snap, {options.file, options.outline});
   const auto blocks = blocks_of(options.file, here);
   if (!blocks)
     return run::deck_error;
@@ -297,6 +350,11 @@ int import_map(ImportOptions options) {
                      ? "skipped"
                      : fmt::format("joint {}, {} line{}", layer.joint, layer.lines,
                                    layer.lines == 1 ? "" : "s"));
+    if (keeps_ids)
+      fmt::print("joint ids are those of the file\n");
+    for (const Layer& layer : layers)
+      if (layer.role == Role::joints && of_outline == layer.name)
+        fmt::print("the outline is the closed line of layer {}\n", layer.name);
     if (options.outline.empty() && !of_outline)
       fmt::print("no closed line: the outline is the box around the traces\n");
     fmt::print("{} block{}, certified\n", blocks->size(),

@@ -14,6 +14,7 @@
 #include "joints/statistics.hpp"
 #include "option_checks.hpp"
 #include "output/check_outputs.hpp"
+#include "post/counted.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
 
@@ -228,6 +229,12 @@ int fit_joints(const JointsOptions& options) {
                                           "coordinates");
     tell_doubts(map.name, network);
     const joints::NetworkFit fit = joints::fit_sets(network, options.shortest);
+    if (fit.sets.empty())
+      throw std::runtime_error(fmt::format(
+          "{}: {} of traces show{} no family of directions, and no joint set\n  hint: "
+          "a set needs at least three traces; give a larger map",
+          map.name, post::counted(network.pieces.size(), "part"),
+          network.pieces.size() == 1 ? "s" : ""));
     write_text_file(deck, joints::fit_deck(fit, map, network));
     std::cout << (options.json ? joints::fit_json(fit, map)
                                : joints::fit_text(fit) + "written: " + deck + "\n");

@@ -14,7 +14,10 @@ namespace {
 
 using geometry::Vec2;
 
-constexpr int most_halvings = 24;
+constexpr int most_halvings = 12;  // for curves that the range of numbers distorts
+
+/// The error that rounding of coordinates of this size may have, [L].
+double unit_of(const Vec2& p) { return 0x1p-50 * p.lpNorm<Eigen::Infinity>(); }
 
 double tangent(double degrees) {
   return geometry::tangent_of_degrees(
@@ -65,7 +68,8 @@ double distance_from_chord(const Bezier& curve) {
 void add_bezier(Bezier curve, int halvings, ChordError& error,
                 std::vector<Vec2>& points) {
   const double distance = distance_from_chord(curve);
-  if (distance <= error.allowed || halvings == most_halvings) {
+  const double allowed = std::max(error.allowed, unit_of(place(curve.front())));
+  if (!(distance > allowed) || halvings == most_halvings) {
     error.largest = std::max(error.largest, distance);
     points.push_back(place(curve.back()));
     return;
@@ -84,7 +88,8 @@ void halve_arc(const Vec2& p, const Vec2& q, double bulge, int halvings,
                ChordError& error, std::vector<Vec2>& points) {
   const Vec2 chord = q - p;
   const double rise = 0.5 * std::abs(bulge) * chord.norm();
-  if (rise <= error.allowed || halvings == most_halvings) {
+  const double allowed = std::max(error.allowed, unit_of(p));
+  if (!(rise > allowed) || halvings == most_halvings) {
     error.largest = std::max(error.largest, rise);
     points.push_back(q);
     return;

@@ -113,6 +113,7 @@ class DrawingReader {
       if (!entity.is_on_paper)
         read(entity);
     tell_heights();
+    tell_empty();
     tell_others();
     return std::move(drawing_);
   }
@@ -129,7 +130,7 @@ class DrawingReader {
   Entity entity_;
   std::map<std::string, std::size_t> layers_;
   std::map<std::string_view, Count> others_;  // kinds that are not read
-  Count heights_;
+  Count heights_, empty_;
 
   void error(const DxfEntity& at, const std::string& text, const std::string& hint) {
     drawing_.messages.push_back(
@@ -282,6 +283,9 @@ class DrawingReader {
     ChordError error{chord_part * box.diagonal().norm(), 0.0};
     line.points = spline_chords(spline, error);
     count_curve(line.points.size() - 1, error.largest);
+    line.is_closed = (entity_.flags & 1U) != 0 && line.points.size() > 3;
+    if (line.is_closed)
+      line.points.pop_back();  // the first one, up to rounding
   }
 
   void count_curve(std::size_t chords, double off) {
@@ -298,13 +302,23 @@ class DrawingReader {
   void add(const DxfEntity& found, DxfLine line) {
     if (line.points.empty())
       return;
+    auto& points = line.points;
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (line.is_closed && points.size() > 1 && points.front() == points.back())
+      points.pop_back();
+    if (points.size() < 2) {
+      if (empty_.n++ == 0)
+        empty_.first = found.at;
+      return;
+    }
     if (!std::all_of(line.points.begin(), line.points.end(),
                      [](const Vec2& p) { return p.allFinite(); }))
       return error(found, "a point is outside the range of numbers",
                    "choose another unit of length");
-    const auto [layer, is_new] = layers_.emplace(entity_.layer, layers_.size());
+    const std::string name = entity_.layer.empty() ? "0" : entity_.layer;
+    const auto [layer, is_new] = layers_.emplace(name, layers_.size());
     if (is_new)
-      drawing_.layers.push_back(entity_.layer);
+      drawing_.layers.push_back(name);
     line.layer = layer->second;
     drawing_.lines.push_back(std::move(line));
   }
@@ -319,6 +333,15 @@ class DrawingReader {
            fmt::format("{} line{} through different heights", heights_.n,
                        heights_.n == 1 ? " runs" : "s run"),
            "only x and y are read");
+  }
+
+  void tell_empty() {
+    if (empty_.n > 0)
+      warn(empty_.first,
+           fmt::format("{} of length 0 {} left out",
+                       empty_.n == 1 ? "a line" : fmt::format("{} lines", empty_.n),
+                       empty_.n == 1 ? "is" : "are"),
+           "");
   }
 
   void tell_others() {

@@ -46,6 +46,8 @@ bool matters(const SetFit& set, const Field& field) {
 }
 
 std::string interval(const Estimate& one) {
+  if (one.low == one.value && one.high == one.value)
+    return "chosen";
   return std::isfinite(one.low) && std::isfinite(one.high)
              ? fmt::format("{:.4g} to {:.4g}", one.low, one.high)
              : "not known";
@@ -151,7 +153,7 @@ std::string fit_deck(const NetworkFit& fit, const TraceMap& map,
       boxes(high.x() - low.x()), boxes(high.y() - low.y()), digits(0.01 * one_block));
   deck += "STIFF, 1.E8, 1.E8\nFRACTION, 0.02\nMATERIAL, 1, 1.E10, 4.E9, 2500\n"
           "$ UNITS, m, kg, s       if these are the units of the map\n"
-          "$ SEED, n               another n makes another map of the same kind\n"
+          "SEED, 1982              $ another seed makes another map of the same kind\n"
           "RIGID\nEND\n";
   deck += fmt::format("OUTLINE, {}, 1\n{}{}", x.size(), values(x), values(y));
   for (const bool ends_at_set : {false, true})  // the cards at which others end first

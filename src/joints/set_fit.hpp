@@ -36,7 +36,8 @@ struct NetworkFit {
 /// Fits one set for each family of directions, at most `most` of them. At least
 /// three scattered traces make one more set: with the law POISSON if they run through,
 /// otherwise with ddev 90. shortest: [L] shorter
-/// traces were not mapped everywhere. The network has pieces.
+/// traces were not mapped everywhere. The network has pieces. There are no sets if fewer
+/// than three traces are scattered and no others have a family.
 NetworkFit fit_sets(const Network& network, double shortest = 0.0,
                     int most = most_families);
 

@@ -50,7 +50,8 @@ class Generator {
  public:
   Generator(const deck::Cut& card, const CutSurroundings& around,
             deck::Diagnostics& diagnostics)
-      : card_(card), around_(around), diagnostics_(diagnostics) {}
+      : card_(card), around_(around), diagnostics_(diagnostics), files_(around.folder) {
+  }
 
   std::optional<CutJoints> joints() {
     warn_of_unit(card_.outline.file, "OUTLINE", card_.outline.file_unit);
@@ -169,7 +170,7 @@ class Generator {
     cells_.emplace(&card, std::move(request));
   }
   void prepare(const deck::Traces& card) {
-    auto file = traces_of(card, around_.folder, diagnostics_);
+    auto file = files_.of(card, diagnostics_);
     if (!file)
       return fail();
     warn_of_unit(card.file, "TRACES", file->unit);
@@ -383,6 +384,7 @@ class Generator {
   const deck::Cut& card_;
   const CutSurroundings& around_;
   deck::Diagnostics& diagnostics_;
+  TraceFiles files_;
   CutJoints made_;
   std::map<std::pair<std::string, long>, int> met_;
   std::map<const deck::Jset*, geometry::JointSet> sets_;

@@ -101,12 +101,11 @@ std::optional<File> read_with(File (*reader)(std::string_view), const FileOnCard
                                              : std::optional(std::move(file));
 }
 
-/// Removes the traces of other layers than that of the card, and gives the others the
-/// id of the card. Returns false after an error.
-bool keep_layer(const deck::Traces& card, exchange::TraceFile& file,
-                deck::Diagnostics& diagnostics) {
-  if (!card.layer.given)
-    return true;
+/// Returns the traces of the card's layer, with the id of the card, or nothing after an
+/// error.
+std::optional<exchange::TraceFile> layer_of(const deck::Traces& card,
+                                            const exchange::TraceFile& file,
+                                            deck::Diagnostics& diagnostics) {
   const auto layer =
       std::find(file.layers.begin(), file.layers.end(), card.layer.value);
   if (layer == file.layers.end()) {
@@ -117,18 +116,19 @@ bool keep_layer(const deck::Traces& card, exchange::TraceFile& file,
                           ? std::string("the traces of this file have no layers")
                           : fmt::format("traces are on these layers: {}",
                                         fmt::join(file.layers, ", ")));
-    return false;
+    return {};
   }
-  const auto number = static_cast<int>(layer - file.layers.begin());
-  const std::size_t all = file.traces.size();
-  std::erase_if(file.traces, [number](const exchange::Trace& trace) {
-    return trace.layer != number;
-  });
-  for (exchange::Trace& trace : file.traces)
-    trace.joint.reset();
-  file.found = fmt::format("{}, layer {}: {} of {} polylines", file.form,
-                           card.layer.value, file.traces.size(), all);
-  return true;
+  exchange::TraceFile found;
+  found.form = file.form;
+  found.unit = file.unit;
+  for (const exchange::Trace& trace : file.traces)
+    if (trace.layer == layer - file.layers.begin()) {
+      found.traces.push_back(trace);
+      found.traces.back().joint.reset();
+    }
+  found.found = fmt::format("{}, layer {}: {} of {} polylines", file.form,
+                            card.layer.value, found.traces.size(), file.traces.size());
+  return found;
 }
 
 exchange::OutlineFile read_polygons(std::string_view text) {
@@ -220,12 +220,15 @@ void read_outline_files(deck::Deck& deck, const std::string& folder,
                    });
 }
 
-std::optional<exchange::TraceFile> traces_of(const deck::Traces& card,
-                                             const std::string& folder,
-                                             deck::Diagnostics& diagnostics) {
-  auto file =
-      read_with(exchange::read_traces, {"TRACES", card.file, folder}, diagnostics);
-  return file && keep_layer(card, *file, diagnostics) ? std::move(file) : std::nullopt;
+std::optional<exchange::TraceFile> TraceFiles::of(const deck::Traces& card,
+                                                  deck::Diagnostics& diagnostics) {
+  const FileOnCard named{"TRACES", card.file, folder_};
+  if (!card.layer.given)
+    return read_with(exchange::read_traces, named, diagnostics);
+  auto [file, is_new] = with_layers_.try_emplace(card.file.value);
+  if (is_new)
+    file->second = read_with(exchange::read_traces, named, diagnostics);
+  return file->second ? layer_of(card, *file->second, diagnostics) : std::nullopt;
 }
 
 std::optional<exchange::PointFile> points_of(const FileOnCard& named,

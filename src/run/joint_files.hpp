@@ -2,6 +2,7 @@
 // at these cards.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -18,11 +19,22 @@ struct FileOnCard {
   const std::string& folder;  ///< of the deck
 };
 
-/// Returns the traces of the card's layer, or of all layers, or nothing after an error.
-/// Faults have their place in the file. folder: of the deck.
-std::optional<exchange::TraceFile> traces_of(const deck::Traces& card,
-                                             const std::string& folder,
-                                             deck::Diagnostics& diagnostics);
+/// Reads the files of TRACES cards. A file that several cards name for its layers is
+/// read once.
+class TraceFiles {
+ public:
+  explicit TraceFiles(const std::string& folder) : folder_(folder) {}
+
+  /// Returns the traces of the card's layer, with the id of the card, or those of all
+  /// layers with their own ids; nothing after an error. Faults have their place in the
+  /// file.
+  std::optional<exchange::TraceFile> of(const deck::Traces& card,
+                                        deck::Diagnostics& diagnostics);
+
+ private:
+  const std::string& folder_;  ///< of the deck
+  std::map<std::string, std::optional<exchange::TraceFile>> with_layers_;
+};
 /// Returns the points likewise.
 std::optional<exchange::PointFile> points_of(const FileOnCard& named,
                                              deck::Diagnostics& diagnostics);

@@ -244,6 +244,43 @@ TEST(Dxf, ReadsLinesPolylinesAndBulges) {
   EXPECT_EQ(drawing.curves, 1u);
 }
 
+// Its first and last points differ by rounding. Curves whose size is lost in the
+// rounding of their coordinates, or in the range of numbers, make few chords.
+TEST(Dxf, PeriodicSplinesAreClosedAndDegenerateCurvesMakeFewChords) {
+  testing::DxfGroups groups = {{0, "SPLINE"}, {8, "s"},  {70, "11"}, {71, "3"},
+                               {72, "11"},    {73, "7"}, {74, "0"}};
+  for (int knot = 0; knot < 11; ++knot)
+    groups.emplace_back(40, dxf_number(0.1 * knot));
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i % 4) / 4.0 + 0.3;
+    groups.emplace_back(10, dxf_number(7.1 + std::cos(angle)));
+    groups.emplace_back(20, dxf_number(3.3 + std::sin(angle)));
+  }
+  const DxfDrawing round = sound_drawing(dxf_groups(groups));
+  ASSERT_EQ(round.lines.size(), 1u);
+  EXPECT_TRUE(round.lines[0].is_closed);
+
+  testing::DxfGroups same = {{0, "SPLINE"}, {8, "s"},  {71, "3"},
+                             {72, "8"},     {73, "4"}, {74, "0"}};
+  for (int knot = 0; knot < 8; ++knot)
+    same.emplace_back(40, knot < 4 ? "0" : "1");
+  for (const char* weight : {"1", "0.7", "0.3", "1"}) {
+    same.emplace_back(41, weight);
+    same.emplace_back(10, "1000000.1");
+    same.emplace_back(20, "1000000.7");
+  }
+  EXPECT_LE(sound_drawing(dxf_groups(same)).chords, 4u);
+  const DxfDrawing huge = read_drawing(dxf_drawing(dxf_groups({{0, "LWPOLYLINE"},
+                                                               {8, "0"},
+                                                               {90, "2"},
+                                                               {10, "0"},
+                                                               {20, "0"},
+                                                               {42, "1e300"},
+                                                               {10, "1"},
+                                                               {20, "0"}})));
+  EXPECT_LE(huge.chords, 5000u);
+}
+
 // An arc that is drawn from below runs clockwise, with x reversed.
 TEST(Dxf, MirrorsWhatIsDrawnFromBelow) {
   const DxfDrawing drawing = sound_drawing(dxf_groups({{0, "ARC"},

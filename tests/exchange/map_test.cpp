@@ -75,6 +75,35 @@ TEST(Map, TakesTheOutlineFromAnotherFileOrTheBoxOfTheTraces) {
   EXPECT_THAT(slurp(folder / "g.deck"), HasSubstr("OUTLINE, , 1, 'o.wkt'\n"));
 }
 
+TEST(Map, OfGeoJsonKeepsIdsAndTakesAClosedLineAsOutline) {
+  const TemporaryFolder folder;
+  const auto line = [](const std::string& properties, const std::string& points) {
+    return "{\"type\": \"Feature\", \"properties\": {" + properties +
+           "}, \"geometry\": {\"type\": \"LineString\", \"coordinates\": [" + points +
+           "]}}";
+  };
+  const auto write = [&](const std::string& first, const std::string& second) {
+    folder.write("m.geojson",
+                 "{\"type\": \"FeatureCollection\", \"crs\": null, \"features\": [" +
+                     line(R"("layer": "w")", "[0, 0], [8, 0], [8, 8], [0, 8], [0, 0]") +
+                     ", " + line(first, "[-1, 3], [9, 3]") + ", " +
+                     line(second, "[3, -1], [3, 9]") + "]}");
+    return blocks("import m.geojson --map", folder.path());
+  };
+  const Outcome layers = write(R"("layer": "a")", R"("layer": 5)");
+  EXPECT_EQ(layers.code, 0) << layers.err;
+  EXPECT_THAT(layers.out, AllOf(HasSubstr("layer w: the outline\n"),
+                                HasSubstr("layer 5: joint 5, 1 line\n"),
+                                HasSubstr("4 blocks, certified")));
+  EXPECT_EQ(blocks("check m.deck", folder.path()).code, 0);
+  const Outcome some = write(R"("layer": "a")", "");
+  EXPECT_EQ(some.code, 2);
+  EXPECT_THAT(some.err, HasSubstr("1 line has no layer, and the others have one"));
+  const Outcome ids =
+      write(R"("layer": "a", "joint": 7)", R"("layer": "a", "joint": 9)");
+  EXPECT_THAT(ids.out, HasSubstr("joint ids are those of the file"));
+}
+
 // Names with one kind of quotes, commas and $ are kept; a card cannot have both quotes.
 TEST(Map, KeepsOddNamesOfLayers) {
   const TemporaryFolder folder;
