@@ -216,22 +216,27 @@ Joints find_joints(const std::vector<Polygon>& outlines, StepProgress* progress)
     }
   };
   std::size_t pairs = 0;
-  exact::for_each_close_pair(outlines, reach, [&](std::size_t i, std::size_t j) {
-    seen.count(++pairs, usual_neighbours * outlines.size());
-    corners_of(i, j);
-    corners_of(j, i);
-    Opening opening = widest_opening(outlines[i], extents[i], outlines[j], extents[j]);
-    Slit& slit = opening.slit;
-    if (slit.width == 0.0)
-      return;
-    slit.first = static_cast<int>(i);
-    slit.second = static_cast<int>(j);
-    slit.by_rounding = slit.width <= std::max(extents[i].rounding, extents[j].rounding);
-    if (slit.by_rounding)
-      joints.slits.push_back(slit);
-    else
-      openings.push_back(opening);
-  });
+  exact::for_each_close_pair(
+      outlines, reach,
+      [&](std::size_t i, std::size_t j) {
+        seen.count(++pairs, usual_neighbours * outlines.size());
+        corners_of(i, j);
+        corners_of(j, i);
+        Opening opening =
+            widest_opening(outlines[i], extents[i], outlines[j], extents[j]);
+        Slit& slit = opening.slit;
+        if (slit.width == 0.0)
+          return;
+        slit.first = static_cast<int>(i);
+        slit.second = static_cast<int>(j);
+        slit.by_rounding =
+            slit.width <= std::max(extents[i].rounding, extents[j].rounding);
+        if (slit.by_rounding)
+          joints.slits.push_back(slit);
+        else
+          openings.push_back(opening);
+      },
+      &seen);
   drop_filled(outlines, openings, seen);
   for (const Opening& opening : openings)
     joints.slits.push_back(opening.slit);

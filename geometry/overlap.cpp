@@ -226,16 +226,18 @@ std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines
   std::size_t pairs = 0;
   const std::size_t most = 5 * outlines.size();
   try {
-    exact::for_each_close_pair(outlines, {},
-                               [&](std::size_t first, std::size_t second) {
-                                 if (progress)
-                                   progress->count(++pairs, most);
-                                 if (one_tiling(first, second))
-                                   return;
-                                 blocks.compare(first, second, found);
-                                 if (found.size() == max_overlaps)
-                                   throw Enough{};
-                               });
+    exact::for_each_close_pair(
+        outlines, {},
+        [&](std::size_t first, std::size_t second) {
+          if (progress)
+            progress->count(++pairs, most);
+          if (one_tiling(first, second))
+            return;
+          blocks.compare(first, second, found);
+          if (found.size() == max_overlaps)
+            throw Enough{};
+        },
+        progress);
   } catch (Enough) {
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {

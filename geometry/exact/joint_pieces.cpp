@@ -95,41 +95,50 @@ class Overlaps {
   void split(StepProgress& progress) {
     struct Keyed {
       std::uint64_t line;  ///< equal for equal lines
-      int from, index;
+      int index;
     };
     std::vector<Keyed> order;
     order.reserve(given_.size());
     for (std::size_t i = 0; i < given_.size(); ++i) {
       progress.count(0, 1);
-      order.push_back({result_.lines.hash(i), given_[i].from, static_cast<int>(i)});
+      order.push_back({result_.lines.hash(i), static_cast<int>(i)});
     }
     std::sort(order.begin(), order.end(), [&](const Keyed& a, const Keyed& b) {
       progress.count(0, 1);
-      return a.line != b.line   ? a.line < b.line
-             : a.from != b.from ? a.from < b.from
-                                : a.index < b.index;
+      return a.line != b.line ? a.line < b.line : a.index < b.index;
     });
-    for (std::size_t i = 0; i < order.size();) {
+    std::vector<bool> is_alone(given_.size(), false);
+    for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
       progress.count(0, 1);
+      end = i + 1;
+      while (end < order.size() && order[end].line == order[i].line)
+        ++end;
+      if (end == i + 1) {
+        is_alone[at(order[i].index)] = true;
+        continue;
+      }
       std::vector<std::vector<int>> lines;  // usually one
-      std::size_t end = i;
-      for (; end < order.size() && order[end].line == order[i].line; ++end) {
-        const int index = order[end].index;
+      for (std::size_t k = i; k < end; ++k) {
+        const int index = order[k].index;
         const auto same =
             std::find_if(lines.begin(), lines.end(), [&](const std::vector<int>& line) {
               return result_.lines.are_equal(at(line.front()), at(index));
             });
         (same == lines.end() ? lines.emplace_back() : *same).push_back(index);
       }
-      for (const std::vector<int>& line : lines)
+      for (std::vector<int>& line : lines)
         split_line(line);
-      i = end;
     }
+    for (std::size_t i = 0; i < given_.size(); ++i)
+      if (is_alone[i])
+        result_.pieces.push_back(given_[i]);
   }
 
  private:
-  // line: ascending by their first ends.
-  void split_line(const std::vector<int>& line) {
+  void split_line(std::vector<int>& line) {
+    std::stable_sort(line.begin(), line.end(), [this](int i, int j) {
+      return given_[at(i)].from < given_[at(j)].from;
+    });
     std::vector<int> run;  // without gaps
     int farthest = -1;
     for (const int i : line) {
@@ -212,21 +221,25 @@ JointPieces joint_pieces(const std::vector<Point>& outline,
   }
   std::vector<int> numbers;
   result.ends = ends.sorted(numbers, progress);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    std::tie(given[i].from, given[i].to) =
+        std::minmax(numbers[2 * i], numbers[2 * i + 1]);
+  // The sweep takes lines in the order of their first ends, so they are near in memory.
+  const auto by_first_end = [&progress](const Piece& a, const Piece& b) {
+    progress.count(0, 1);
+    return std::tie(a.from, a.to, a.line) < std::tie(b.from, b.to, b.line);
+  };
+  std::sort(given.begin() + static_cast<std::ptrdiff_t>(outline.size()), given.end(),
+            by_first_end);
   result.lines.reserve(given.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
     progress.count(0, 1);
-    Piece& one = given[i];
-    std::tie(one.from, one.to) = std::minmax(numbers[2 * i], numbers[2 * i + 1]);
-    one.line = static_cast<int>(i);
-    result.lines.add(result.ends[at(one.from)], result.ends[at(one.to)]);
+    given[i].line = static_cast<int>(i);
+    result.lines.add(result.ends[at(given[i].from)], result.ends[at(given[i].to)]);
   }
   result.pieces.reserve(given.size());
   Overlaps(given, result).split(progress);
-  std::sort(result.pieces.begin(), result.pieces.end(),
-            [&](const Piece& a, const Piece& b) {
-              progress.count(0, 1);
-              return std::pair(a.from, a.line) < std::pair(b.from, b.line);
-            });
+  std::sort(result.pieces.begin(), result.pieces.end(), by_first_end);
   return result;
 }
 
