@@ -1,5 +1,7 @@
 #include "geometry/joints.hpp"
 
+#include <CGAL/Mpzf.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -26,12 +28,11 @@ double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
   if (CGAL::orientation(exact::point(a), exact::point(b), exact::point(corner)) !=
       CGAL::LEFT_TURN)
     return 0.0;
-  const auto vector = [](const Vec2& from, const Vec2& to) {
-    return exact::Vector(exact::Rational(to.x()) - exact::Rational(from.x()),
-                         exact::Rational(to.y()) - exact::Rational(from.y()));
-  };
-  return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) /
-         (b - a).stableNorm();
+  using Exact = CGAL::Mpzf;  // sums and products of doubles, without allocation
+  const auto run = [&](const Vec2& to) { return Exact(to.x()) - Exact(a.x()); };
+  const auto rise = [&](const Vec2& to) { return Exact(to.y()) - Exact(a.y()); };
+  const Exact area = run(b) * rise(corner) - rise(b) * run(corner);
+  return exact::nearest(exact::Rational(area)) / (b - a).stableNorm();
 }
 
 /// A slit and three points inside it, distributed along its length.
