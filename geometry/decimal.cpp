@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 namespace blocks::geometry {
 namespace {
@@ -35,6 +36,15 @@ std::optional<long> take_exponent(std::string_view text, std::size_t& at) {
   for (const char c : digits)
     exponent = std::min(exponent * 10 + (c - '0'), 1000000000L);
   return negative ? -exponent : exponent;
+}
+
+// Reads a number without a sign, if the library knows its form.
+std::optional<double> read_double(std::string_view text) {
+  double value = 0.0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+    return std::nullopt;
+  return value;
 }
 
 // Returns the nearest double of digits * 10^exponent, or zero if it is too small.
@@ -93,13 +103,16 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
     return std::nullopt;
 
   Decimal decimal;
-  decimal.digits_ = negative ? "-" + digits : digits;
   decimal.exponent_ = exponent;
-  decimal.value_ = nearest_double(digits, exponent);
+  const auto value = read_double(text.substr(text[0] == '-' || text[0] == '+' ? 1 : 0));
+  decimal.value_ = value ? *value : nearest_double(digits, exponent);
   if (!std::isfinite(decimal.value_))
     return std::nullopt;
   if (negative && decimal.value_ != 0.0)
     decimal.value_ = -decimal.value_;
+  if (negative)
+    digits.insert(digits.begin(), '-');
+  decimal.digits_ = std::move(digits);
   return decimal;
 }
 

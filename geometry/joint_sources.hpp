@@ -89,7 +89,7 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request,
 /// segments with all others are counted. Exact for up to 3,000 segments. The same
 /// segments give the same number.
 double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& low,
-                        const Vec2& high);
+                        const Vec2& high, const ProgressFunction& progress = {});
 
 /// Returns the traces, each ended on both sides of its middle where it first meets one
 /// of the joints, exactly. A joint through the middle ends it towards its first end;

@@ -31,7 +31,8 @@ bool cross_in_box(const JointSegment& s, const JointSegment& t, const Vec2& low,
 }  // namespace
 
 double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& low,
-                        const Vec2& high) {
+                        const Vec2& high, const ProgressFunction& progress) {
+  StepProgress estimating(progress, "estimate crossings");
   // A pair takes some nanoseconds, so all take a tenth of a second. Fewer segments than
   // the least number would say little about the others.
   constexpr std::size_t most_pairs = 10'000'000, least = 64;
@@ -46,9 +47,11 @@ double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& l
     some.push_back(segments[asked == n ? i : (state >> 33) % n]);
   }
   double found = 0.0;
-  for (const JointSegment& segment : segments)
-    for (const JointSegment& one : some)
-      found += cross_in_box(one, segment, low, high) ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (const JointSegment& one : some) {
+      estimating.count(i, n);
+      found += cross_in_box(one, segments[i], low, high) ? 1.0 : 0.0;
+    }
   // Each crossing has two segments.
   return 0.5 * found * static_cast<double>(n) / static_cast<double>(asked);
 }

@@ -99,8 +99,17 @@ int compare(const ExactPoint& p, const ExactPoint& q) {
 
 ExactPoint::ExactPoint(const Vec2& p) : nearest_(p) {}
 
-ExactPoint::ExactPoint(const DecimalPoint& p)
-    : ExactPoint(exact::exact_point(exact::rational(p))) {}
+ExactPoint::ExactPoint(const DecimalPoint& p) : nearest_(p.x.value(), p.y.value()) {
+  // Digits behind the point make a double only if the last one is 5.
+  const auto may_be_double = [](const Decimal& value) {
+    return value.exponent() >= 0 || value.digits().back() == '5';
+  };
+  const exact::Point point = exact::rational(p);
+  if (!may_be_double(p.x) || !may_be_double(p.y) ||
+      point.x() != exact::Rational(nearest_.x()) ||
+      point.y() != exact::Rational(nearest_.y()))
+    packed_ = exact::packed(point);
+}
 
 ExactPoint::ExactPoint(const Vec2& nearest,
                        std::shared_ptr<const unsigned long[]> packed)

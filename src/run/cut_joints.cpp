@@ -222,23 +222,38 @@ class Generator {
   void generate(const deck::Traces& card) {
     const std::size_t first = made_.segments.size();
     const std::vector<exchange::Trace>& traces = traces_.at(&card);
+    const std::size_t all = first + segments(traces);
+    made_.segments.reserve(all);
+    geometry::StepProgress taking(around_.progress, "take traces");
     for (const exchange::Trace& trace : traces) {
+      taking.count(made_.segments.size(), all);
       const int id = trace.joint.value_or(static_cast<int>(card.id.value));
       geometry::ExactPoint from = trace.points.front();
       for (std::size_t i = 1; i < trace.points.size(); ++i) {
         geometry::ExactPoint to = trace.points[i];
-        made_.segments.push_back({from, to, id});
+        made_.segments.push_back({std::move(from), to, id});
         from = std::move(to);  // the segments of a polyline share their points
       }
     }
+    const double extent = mean_extent(traces);
+    traces_.erase(&card);
     warn_if_far(first, card.where, "TRACES", "no trace of this file meets the outline",
                 "give the outline and the traces in the same coordinates");
-    mapped_.push_back({&card, first, made_.segments.size(), mean_extent(traces)});
+    mapped_.push_back({&card, first, made_.segments.size(), extent});
+  }
+
+  static std::size_t segments(const std::vector<exchange::Trace>& traces) {
+    std::size_t count = 0;
+    for (const exchange::Trace& trace : traces)
+      count += trace.points.size() - 1;
+    return count;
   }
 
   /// Prolongs the ends of each file against all other joints as they are given, or
   /// proposes it if the card says nothing about its loose ends.
   void prolong() {
+    if (mapped_.empty())
+      return;
     const std::vector<JointSegment> given = made_.segments;
     for (const Mapped& part : mapped_) {
       const bool snaps = part.card->snap.value.value() > 0.0;
@@ -331,7 +346,8 @@ class Generator {
   void check_crossings() {
     constexpr double bytes_of_block = 2700.0;  // measured with 260,000 blocks
     const auto [low, high] = box();
-    const double crossings = geometry::likely_crossings(made_.segments, low, high);
+    const double crossings =
+        geometry::likely_crossings(made_.segments, low, high, around_.progress);
     const double memory = physical_memory() / bytes_of_block;
     // Traces that end may cross without cutting a block, and amin merges cells.
     const double allowed = card_.amin.value.value() > 0.0 || has_ends()
