@@ -23,10 +23,8 @@ ContactTally tally_contacts(const Blocks& blocks, const ContactArrays& arrays,
   return tally_all(blocks.size(), memory.contact_tallies, split, workers, memory.shares,
                    [&](int b, ContactTally& tally) {
                      arrays.lows.each(b, [&](int lane) {
-                       const int batch = lane / lane_count, k = lane % lane_count;
-                       if (blocks.may_touch(b, batches.pairs[batch].high[k]))
-                         each_work([k](double& sum, const double* of) { sum += of[k]; },
-                                   tally, batches.works[batch]);
+                       if (blocks.may_touch(b, batches.at(lane, &BatchPairs::high)))
+                         tally.include(batches.works[lane]);
                      });
                    });
 }

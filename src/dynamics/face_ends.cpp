@@ -141,11 +141,12 @@ void share_ends(const Blocks& blocks, ContactArrays& arrays, int batch) {
     for (int row = 0; row < pairs.rows; ++row)
       for (const auto beside : {&FaceRow::beside_before, &FaceRow::beside_after}) {
         const int slot = (pairs.first_row + row) * lane_count + k;
-        const auto other = static_cast<int>(batches.at(slot, beside));
+        const int other = batches.at(slot, beside);
         if (other > row)
           FaceEnd(blocks, arrays, slot, (pairs.first_row + other) * lane_count + k)
               .share();
       }
+    batches.find_shared_ends(batch, k);
   }
 }
 

@@ -35,7 +35,6 @@ SpringEnergy SpringEnergies::of(int law, ContactState<double> state) const {
     state.shear_stiffness = settings_.shear_stiffness;
   }
   const double shear = shear_energy(state);
-  state.shear = 0.0;
   switch (bit_of(law)) {
   case walton_bit:
     return {walton_energy(values_of(law), state), shear};

@@ -48,9 +48,10 @@ struct OneContact {
       apply_barton(law, 1.0, motion, state, force);
   }
   double energy() const {
-    return kind == Kind::coulomb  ? coulomb_energy(state)
-           : kind == Kind::walton ? walton_energy(law, state)
-                                  : barton_energy(law, state);
+    const double normal = kind == Kind::coulomb  ? coulomb_energy(state)
+                          : kind == Kind::walton ? walton_energy(law, state)
+                                                 : barton_energy(law, state);
+    return normal + shear_energy(state);
   }
 };
 

@@ -67,11 +67,11 @@ void ContactArrays::find_faces(const Blocks& blocks, int p) {
   const int batch = lane_of_pair[p] / lane_count;
   const int k = lane_of_pair[p] % lane_count;
   const BatchPairs& pairs = batches.pairs[batch];
-  const auto row_with = [&](int corner, int edge) {
+  const auto row_with = [&](int corner, int edge) -> short {
     for (int i = 0; i < pairs.rows; ++i) {
       const ContactRow& row = batches.contacts[pairs.first_row + i];
       if (row.corner[k] == corner && row.edge[k] == edge)
-        return i;
+        return static_cast<short>(i);
     }
     return -1;
   };
@@ -83,11 +83,12 @@ void ContactArrays::find_faces(const Blocks& blocks, int p) {
     face.law[k] = vacant ? 0 : laws.law_of(blocks, corner, edge);
     face.before[k] = before;
     face.after[k] = vacant ? 0 : blocks.next[corner];
-    face.beside_before[k] = vacant ? -1 : row_with(edge, before);
-    face.beside_after[k] = vacant ? -1 : row_with(blocks.next[edge], corner);
+    face.beside_before[k] = vacant ? short{-1} : row_with(edge, before);
+    face.beside_after[k] = vacant ? short{-1} : row_with(blocks.next[edge], corner);
     if (!vacant)
       batches.include_law(batch, face.law[k], laws.bit(face.law[k]));
   });
+  batches.find_shared_ends(batch, k);
 }
 
 void ContactArrays::renumber_corners(const std::vector<int>& new_of) {

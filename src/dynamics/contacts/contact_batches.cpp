@@ -21,7 +21,7 @@ void ContactBatches::reserve(int batches, int rows, bool with_laws) {
     make(batches * lane_count, own_forces_, forces);
     prefer_huge_pages(forces, sizeof(PairForce) * batches * lane_count);
     make(batches * lane_count, own_stresses_, stresses);
-    make(batches, own_works_, works);
+    make(batches * lane_count, own_works_, works);
     room_for_batches_ = batches;
   }
   if (rows > room_for_rows_) {
@@ -36,6 +36,7 @@ void ContactBatches::reserve(int batches, int rows, bool with_laws) {
   with_laws_ = with_laws;
   if (with_laws && rows > room_for_joints_) {
     make(rows, own_faces_, faces);
+    make(rows, own_dashpots_, dashpots);
     make(rows, own_joints_, joints);
     make(rows, own_advanced_joints_, advanced_joints);
     room_for_joints_ = rows;
@@ -54,11 +55,24 @@ int ContactBatches::add_batch(int rows) {
   std::fill_n(springs + rows_, rows, SpringRow{});
   if (with_laws_) {
     std::fill_n(faces + rows_, rows, FaceRow{});
+    std::fill_n(dashpots + rows_, rows, DashpotRow{});
     std::fill_n(joints + rows_, rows, JointRow{});
     std::fill_n(advanced_joints + rows_, rows, JointRow{});
   }
   rows_ += rows;
   return batches_++;
+}
+
+void ContactBatches::find_shared_ends(int batch, int k) {
+  const BatchPairs& of = pairs[batch];
+  const auto acts = [&](int row) {
+    return row >= 0 && is((of.first_row + row) * lane_count + k, &ContactStates::acts);
+  };
+  for (int row = of.first_row; row < of.first_row + of.rows; ++row) {
+    const int slot = row * lane_count + k;
+    set(slot, &FaceRow::shared_before, acts(faces[row].beside_before[k]));
+    set(slot, &FaceRow::shared_after, acts(faces[row].beside_after[k]));
+  }
 }
 
 }  // namespace blocks::dynamics

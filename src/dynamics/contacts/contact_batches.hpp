@@ -31,6 +31,10 @@ class ContactBatches : public BatchArrays {
     of.laws |= bit;
   }
 
+  /// Finds which contacts in lane k of a batch share ends of faces with others that
+  /// act. Call it when contacts have begun or ceased to act.
+  void find_shared_ends(int batch, int k);
+
   /// The springs at the end of this step become those at the start of the next step.
   void advance_springs() {
     std::swap(springs, advanced);
@@ -69,13 +73,14 @@ class ContactBatches : public BatchArrays {
   std::unique_ptr<BatchMarks[]> own_marks_;
   std::unique_ptr<PairForce[]> own_forces_;
   std::unique_ptr<PairStress[]> own_stresses_;
-  std::unique_ptr<BatchWork[]> own_works_;
+  std::unique_ptr<PairWork[]> own_works_;
   std::unique_ptr<ContactRow[]> own_contacts_;
   std::unique_ptr<ContactTests[]> own_tests_;
   std::unique_ptr<ContactStates[]> own_states_;
   std::unique_ptr<SpringRow[]> own_springs_, own_advanced_;
   std::unique_ptr<ReadingRow[]> own_readings_;
   std::unique_ptr<FaceRow[]> own_faces_;
+  std::unique_ptr<DashpotRow[]> own_dashpots_;
   std::unique_ptr<JointRow[]> own_joints_, own_advanced_joints_;
 };
 

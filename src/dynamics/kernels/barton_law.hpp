@@ -144,12 +144,12 @@ template <bool may_start = true, class Number>
   state.offset = state.offset + rise;
 }
 
-/// Returns the elastic energy of the springs, [F L] >= 0.
+/// Returns the elastic energy of the normal spring, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number barton_energy(const LawValues<Number>& law,
                                                    const ContactState<Number>& state) {
   const BandisClosure<Number> bandis(law, state.length, state.stiffness);
-  return bandis.energy(bandis.closure(state.normal)) + shear_energy(state);
+  return bandis.energy(bandis.closure(state.normal));
 }
 
 }  // namespace blocks::dynamics

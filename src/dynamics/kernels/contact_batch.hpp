@@ -3,15 +3,10 @@
 // lane. A slot is one lane of one row.
 #pragma once
 
-#include <cstdint>
-
 #include "dynamics/kernels/contact_work.hpp"
 #include "dynamics/kernels/joint_batch.hpp"
 
 namespace blocks::dynamics {
-
-/// One bit for each lane of a batch. Bit k belongs to lane k.
-using LaneBits = std::uint8_t;
 
 /// The pairs of a batch. An idle lane has low = high.
 struct alignas(64) BatchPairs {
@@ -66,8 +61,8 @@ struct alignas(32) PairForce {
 struct alignas(64) PairStress {
   double low[4], high[4];
 };
-/// What the contacts of each pair of a batch do with the work of its blocks in a step.
-using BatchWork = ContactWork<PerLane<double>>;
+/// What the contacts of a pair do with the work of its two blocks in a step.
+using PairWork = ContactWork<double>;
 /// Results that are needed for output only.
 struct alignas(64) ReadingRow {
   PerLane<double> overlap;                    ///< [L] >= 0
@@ -80,7 +75,7 @@ struct BatchArrays {
   BatchMarks* marks = nullptr;     ///< (batches)
   PairForce* forces = nullptr;     ///< (batches * lane_count)
   PairStress* stresses = nullptr;  ///< (batches * lane_count) if rigid, for output only
-  BatchWork* works = nullptr;      ///< (batches) if has_account
+  PairWork* works = nullptr;       ///< (batches * lane_count) if has_account
   ContactRow* contacts = nullptr;  ///< (rows)
   ContactTests* tests = nullptr;   ///< (rows)
   ContactStates* states = nullptr;  ///< (rows)
@@ -89,6 +84,7 @@ struct BatchArrays {
   ReadingRow* readings = nullptr;   ///< (rows) for output only
   // Only in models with laws of joints.
   FaceRow* faces = nullptr;             ///< (rows)
+  DashpotRow* dashpots = nullptr;       ///< (rows)
   JointRow* joints = nullptr;           ///< (rows) at the start of the step
   JointRow* advanced_joints = nullptr;  ///< (rows) at the end of the step
   LawColumns laws;

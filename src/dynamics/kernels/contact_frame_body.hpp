@@ -77,10 +77,11 @@ BLOCKS_INLINE void find_acting(const ContactTests& tests, ContactStates& states,
 /// The two blocks of each lane: their centroids, and the motion of the low block
 /// relative to the high one.
 template <bool rigid> struct Pairs {
-  Pack low_x, low_y, high_x, high_y;  ///< centroids
-  Pack vx, vy;              ///< relative velocity at the centroid of the low block
-  Pack g11, g12, g21, g22;  ///< gradient of the relative velocity
+  Pack low_x = {}, low_y = {}, high_x = {}, high_y = {};  ///< centroids
+  Pack vx = {}, vy = {};  ///< relative velocity at the centroid of the low block
+  Pack g11 = {}, g12 = {}, g21 = {}, g22 = {};  ///< gradient of the relative velocity
 
+  BLOCKS_INLINE Pairs() = default;
   /// Velocities are those of half a step before the positions
   /// (docs/theory.md#the-velocities-of-a-contact). The arms were turned back then: the
   /// velocity at an arm r is v + w x (r - w x r dt/2). Since then the blocks have
@@ -214,37 +215,48 @@ BLOCKS_INLINE void add_forces(const BatchArrays& batches, int s,
   }
 }
 
-/// Adds what the contacts of a row do with their work to the sums of their pairs.
-/// energy(state): that of its springs.
-template <class Energy>
-BLOCKS_INLINE void
-add_work(BatchWork& sums, int i, Choice acts, double dt,
-         const ContactMotion<Pack>& motion, const ContactState<Pack>& before,
-         const ContactState<Pack>& after, const ContactForce<Pack>& force,
-         Pack is_hysteretic, const Energy& energy) {
-  const auto add = [&](double* sum, const Pack& x) __attribute__((always_inline)) {
-    store(sum, i, load(sum, i) + where(acts, x));
-  };
-  each_work(add, sums,
-            work_of(step_of(dt, motion, before, after, force, is_hysteretic, energy)));
-}
-/// Adds the work that the forces of a row take from the blocks because the velocities
-/// of the blocks are those of half a step before, `blocks`, and not those of the
-/// springs, `v`. It is an error of the integration.
-template <bool rigid>
-BLOCKS_INLINE void add_work_of_lag(BatchWork& sums, int i, Choice acts, double dt,
-                                   const Pairs<rigid>& blocks, const Frame& at,
-                                   const Point& v, Pack normal, Pack shear) {
-  const Point of = blocks.velocity(at.x - blocks.low_x, at.y - blocks.low_y);
-  const Pack x = of[0] - v[0], y = of[1] - v[1];
-  const Pack closing = x * at.ty - y * at.tx, sliding = x * at.tx + y * at.ty;
-  const Pack work = dt * (normal * closing + shear * sliding);
-  store(sums.integration, i, load(sums.integration, i) + where(acts, work));
-}
-BLOCKS_INLINE void clear_work(BatchWork& sums, int i) {
-  each_work(
-      [&](double* sum) __attribute__((always_inline)) { store(sum, i, Pack{}); }, sums);
-}
+/// What the contacts of each pair of a pack do with the work of its blocks. It is
+/// added up if the model keeps an energy account.
+template <bool rigid> struct WorkSums {
+  ContactWork<Pack> sums = {};
+  Pairs<rigid> now;  ///< velocities of half a step before, which do the work
+
+  BLOCKS_INLINE WorkSums(bool has_account, const BatchPairs& pairs,
+                         const BlockState& blocks, int i) {
+    if (has_account)
+      now = Pairs<rigid>(pairs, blocks, 0.0, i);
+  }
+  /// Adds the work of a row. v: velocity of the springs; normal_energy(state): that of
+  /// the normal spring.
+  template <class Energy>
+  BLOCKS_INLINE void
+  add(Choice acts, double dt, const Frame& at, const Point& v,
+      const ContactMotion<Pack>& motion, const ContactState<Pack>& before,
+      const ContactState<Pack>& after, const ContactForce<Pack>& force,
+      Pack is_hysteretic, const Energy& normal_energy) {
+    each_work(
+        [&](Pack & sum, const Pack& x)
+            __attribute__((always_inline)) { sum += where(acts, x); },
+        sums,
+        work_of(
+            step_of(dt, motion, before, after, force, is_hysteretic, normal_energy)));
+    // The springs move with other velocities than the blocks, which is an error of the
+    // integration.
+    const Point of = now.velocity(at.x - now.low_x, at.y - now.low_y);
+    const Pack x = of[0] - v[0], y = of[1] - v[1];
+    const Pack closing = x * at.ty - y * at.tx, sliding = x * at.tx + y * at.ty;
+    const Pack work = dt * (force.normal * closing + force.shear * sliding);
+    sums.integration += where(acts, work);
+  }
+  /// Stores the sums of lanes i and following of a batch.
+  BLOCKS_INLINE void store_in(PairWork* works) const {
+    constexpr int stride = sizeof(PairWork) / sizeof(double);
+    store_point(&works->friction, stride, sums.friction, sums.dashpots);
+    store_point(&works->breaking, stride, sums.breaking, sums.hysteresis);
+    store_point(&works->dilation, stride, sums.dilation, sums.integration);
+    store_point(&works->before, stride, sums.before, sums.after);
+  }
+};
 
 }  // namespace
 }  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

@@ -42,19 +42,15 @@ template <class Number> struct ContactStep {
 };
 
 /// Describes the step that took a contact from `before` to `after`. `before` has the
-/// stiffnesses and the length of the step. energy(state): that of its springs.
+/// stiffnesses and the length of the step. normal_energy(state): that of its normal
+/// spring.
 template <class Number, class Energy>
 [[gnu::always_inline]] inline ContactStep<Number>
 step_of(double dt, const ContactMotion<Number>& motion,
         const ContactState<Number>& before, const ContactState<Number>& after,
         const ContactForce<Number>& force, const Number& is_hysteretic,
-        const Energy& energy) {
+        const Energy& normal_energy) {
   const Number none = Number{}, whole = none + 1.0;
-  const auto normal_energy = [&](ContactState<Number> state)
-      __attribute__((always_inline)) {
-    state.shear = none;
-    return energy(state);
-  };
   // Dilation changes the spring after it has acted.
   const Number rise = after.offset - before.offset;
   const Number lowered = positive(Number(after.normal - after.stiffness * rise));
@@ -64,6 +60,10 @@ step_of(double dt, const ContactMotion<Number>& motion,
   ContactState<Number> in_step = after;
   in_step.normal = rise == 0.0 ? after.normal : acting;
   const Number compliance = 1.0 / after.shear_stiffness;
+  const Number energy = normal_energy(after);
+  Number energy_acting = energy;
+  if (holds_in_any_lane(rise != 0.0))
+    energy_acting = normal_energy(in_step);
   return {motion.closing * dt,
           motion.sliding * dt,
           closing_of<true>(dt, motion, before).share,
@@ -75,8 +75,8 @@ step_of(double dt, const ContactMotion<Number>& motion,
           force.shear,
           after.shear_stiffness > 0.0 ? compliance : none,
           normal_energy(before),
-          normal_energy(in_step),
-          normal_energy(after),
+          energy_acting,
+          energy,
           shear_energy(before),
           shear_energy(after),
           after.failed > before.failed ? whole : none,

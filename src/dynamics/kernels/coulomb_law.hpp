@@ -42,10 +42,10 @@ apply_coulomb(const LawValues<Number>& law, double dt,
   state.offset = state.offset + rise;
 }
 
-/// Returns the elastic energy of the springs, [F L] >= 0.
+/// Returns the elastic energy of the normal spring, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number coulomb_energy(const ContactState<Number>& state) {
-  return state.normal * state.normal / (2.0 * state.stiffness) + shear_energy(state);
+  return state.normal * state.normal / (2.0 * state.stiffness);
 }
 
 }  // namespace blocks::dynamics

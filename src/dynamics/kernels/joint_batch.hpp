@@ -2,6 +2,8 @@
 // (contact_batch.hpp). Only models with a JOINT card have these arrays.
 #pragma once
 
+#include <cstdint>
+
 #include "dynamics/kernels/joint_contact.hpp"
 
 namespace blocks::dynamics {
@@ -10,16 +12,24 @@ namespace blocks::dynamics {
 inline constexpr int lane_count = 8;
 /// One number for each lane of a batch.
 template <class Number> using PerLane = Number[lane_count];
+/// One bit for each lane of a batch. Bit k belongs to lane k.
+using LaneBits = std::uint8_t;
 
 /// The law and the faces of the contacts of a row. The side before a corner and the
 /// side after it may each form a face with the edge. The record beside a contact is the
 /// contact at the same end of the face: the end of the edge that acts on this side.
-struct alignas(64) FaceRow {
-  /// row, counted in the batch, of the record beside the contact; -1: none. Numbers of
-  /// rows are compared as doubles.
-  PerLane<double> beside_before, beside_after;
+struct FaceRow {
   PerLane<int> law;            ///< column of LawColumns
   PerLane<int> before, after;  ///< corners of the block next to the corner
+  /// row, counted in the batch, of the record beside the contact; -1: none
+  PerLane<short> beside_before, beside_after;
+  /// The record beside the contact acts too, so each stands for half of the end.
+  LaneBits shared_before, shared_after;
+};
+/// Roots that the dashpots of a row need. They stay as long as the stiffnesses.
+struct alignas(64) DashpotRow {
+  PerLane<double> stiffness;  ///< [F/L] of the contacts
+  PerLane<double> root;       ///< of the stiffness over that of STIFF
 };
 
 /// What laws remember of the contacts of a row (JointState of the model). Flags are 1

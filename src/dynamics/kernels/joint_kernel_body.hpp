@@ -37,24 +37,14 @@ BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
   store(states.in_doubt, i, load(states.in_doubt, i) & ~held);
 }
 
-/// The shares of the contacts of a row in the two ends of their faces: 1/2 in the lanes
-/// where the record beside the contact acts too, otherwise 1.
-struct Shares {
-  Pack before, after;
+/// The edge of a contact and where its corner is along it.
+struct EdgeLine {
+  Pack ex, ey, square;  ///< [L], [L], [L^2] the edge and the square of its length
+  Pack at;              ///< [L^2] position of the corner, times the length
+  BLOCKS_INLINE EdgeLine() = default;
+  BLOCKS_INLINE explicit EdgeLine(const Sides& of)
+      : ex(of.ex), ey(of.ey), square(of.square), at(of.cx * of.ex + of.cy * of.ey) {}
 };
-BLOCKS_INLINE Shares shares_of_ends(const BatchArrays& batches, const BatchPairs& pairs,
-                                    const FaceRow& faces, int i) {
-  const Pack before = load(faces.beside_before, i), after = load(faces.beside_after, i);
-  const Pack whole = all_of(1.0), half = all_of(0.5);
-  Shares shares = {whole, whole};
-  for (int row = 0; row < pairs.rows; ++row) {
-    const Bits acts = load(batches.states[pairs.first_row + row].acts, i);
-    const Pack share = where(choice_of(acts), half, whole);
-    shares.before = before == static_cast<double>(row) ? share : shares.before;
-    shares.after = after == static_cast<double>(row) ? share : shares.after;
-  }
-  return shares;
-}
 
 /// The part of the faces that each contact of a row stands for.
 struct FaceLength {
@@ -65,35 +55,37 @@ struct FaceLength {
 /// Returns the lengths of row s. The side before the corner and the side after it form
 /// a face with the edge if they run in the opposite direction and overlap it in
 /// projection.
-BLOCKS_INLINE FaceLength length_of(const BatchArrays& batches, const BatchPairs& pairs,
-                                   int s, const Sides& sides, Pack per_length,
-                                   const BlockState& blocks, int i) {
+BLOCKS_INLINE FaceLength length_of(const FaceRow& faces, const EdgeLine& edge,
+                                   const Frame& corner, const BlockState& blocks,
+                                   int i) {
   constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
-  const FaceRow& faces = batches.faces[s];
   const Point before = gather_point<2>(blocks.corner, faces.before + i);
   const Point after = gather_point<2>(blocks.corner, faces.after + i);
-  const Pack from_x = before[0] - sides.xc, from_y = before[1] - sides.yc;
-  const Pack to_x = sides.xc - after[0], to_y = sides.yc - after[1];
+  const Pack from_x = before[0] - corner.x, from_y = before[1] - corner.y;
+  const Pack to_x = corner.x - after[0], to_y = corner.y - after[1];
   // Positions along the edge, from its start, times its length.
-  const Pack at = sides.cx * sides.ex + sides.cy * sides.ey;
-  const Pack from = from_x * sides.ex + from_y * sides.ey;
-  const Pack to = to_x * sides.ex + to_y * sides.ey;
+  const Pack from = from_x * edge.ex + from_y * edge.ey;
+  const Pack to = to_x * edge.ex + to_y * edge.ey;
   const Pack none = {};
   const auto length = [&](Pack along, Pack x, Pack y, Pack low, Pack high)
       __attribute__((always_inline)) {
     const Pack start = low > 0.0 ? low : none;
-    const Pack end = high < sides.square ? high : sides.square;
+    const Pack end = high < edge.square ? high : edge.square;
     const Pack square = x * x + y * y;
     const Pack common = end > start ? end - start : none;
     const Pack faced =
-        along * along >= square_of_cosine * square * sides.square ? common : none;
+        along * along >= square_of_cosine * square * edge.square ? common : none;
     return along > 0.0 ? faced : none;
   };
-  const Pack length_before = length(from, from_x, from_y, at, at + from);
-  const Pack length_after = length(to, to_x, to_y, at - to, at);
-  const Shares shares = shares_of_ends(batches, pairs, faces, i);
-  const Pack both = length_before * shares.before + length_after * shares.after;
-  return {0.5 * both * per_length, 0.5 * (length_before + length_after) * per_length};
+  const auto share = [&](LaneBits shared) __attribute__((always_inline)) {
+    return where(choice_of(load(shared, i)), all_of(0.5), all_of(1.0));
+  };
+  const Pack length_before = length(from, from_x, from_y, edge.at, edge.at + from);
+  const Pack length_after = length(to, to_x, to_y, edge.at - to, edge.at);
+  const Pack both = length_before * share(faces.shared_before) +
+                    length_after * share(faces.shared_after);
+  return {0.5 * both * corner.per_length,
+          0.5 * (length_before + length_after) * corner.per_length};
 }
 
 /// Returns the values of a column for the laws of a row. only: the law of all lanes;
@@ -152,9 +144,25 @@ BLOCKS_INLINE Pack stiffness_of(Pack old, Pack per_length, Pack length, double u
 /// Returns by how much the dashpot of a contact is weaker because another contact acts
 /// at the same end. Its constant goes with the root of its stiffness, so two halves of
 /// an end would have stronger dashpots than the whole.
-BLOCKS_INLINE Pack dashpot_share(Pack per_area, const FaceLength& face) {
-  const Pack shared = root(face.length / face.alone);
-  return ((per_area > 0.0) & (face.alone > 0.0)) ? shared : all_of(1.0);
+BLOCKS_INLINE Pack dashpot_share(Pack per_area, const FaceLength& face, Bits acts) {
+  const Pack whole = all_of(1.0);
+  const Bits unshared = zero(face.length - face.alone);
+  const Bits halved = zero(2.0 * face.length - face.alone);
+  // The root is needed only where one of two ends is shared.
+  const Pack share = (acts & ~(unshared | halved)) != 0
+                         ? root(face.length / face.alone)
+                         : where(choice_of(unshared), whole, root(all_of(0.5)));
+  return ((per_area > 0.0) & (face.alone > 0.0)) ? share : whole;
+}
+
+/// Returns the root of the stiffness of contacts over `usual`, that of STIFF.
+BLOCKS_INLINE Pack root_of_stiffness(DashpotRow& row, Pack stiffness, double usual,
+                                     Bits acts, int i) {
+  if ((acts & ~zero(stiffness - load(row.stiffness, i))) != 0) {
+    store(row.stiffness, i, stiffness);
+    store(row.root, i, root(stiffness / usual));
+  }
+  return load(row.root, i);
 }
 
 /// Applies one kind of law. may_start: false if motion.starting is known to be 0.
@@ -190,7 +198,7 @@ apply_in_lanes(LawBits laws, Pack kind_of_lane, const LawValues<Pack>& values,
   each_state(put, state, own);
 }
 
-/// Returns the energy of the springs. kind: the only kind of law; 0: `kinds`.
+/// Returns the energy of the normal springs. kind: the only kind of law; 0: `kinds`.
 template <LawBits kind>
 BLOCKS_INLINE Pack energy_of(Pack kinds, const LawValues<Pack>& values,
                              const ContactState<Pack>& state) {
@@ -206,19 +214,19 @@ BLOCKS_INLINE Pack energy_of(Pack kinds, const LawValues<Pack>& values,
                                                       : coulomb_energy(state);
 }
 /// Adds what the contacts of row s do with their work.
-template <LawBits kind>
+template <LawBits kind, bool rigid>
 BLOCKS_INLINE void
-add_joint_work(const BatchArrays& batches, int batch, int s, int i, Choice acts,
-               double dt, const ContactMotion<Pack>& motion,
-               const LawValues<Pack>& values, const ContactState<Pack>& after,
-               const ContactForce<Pack>& force) {
+add_joint_work(WorkSums<rigid>& works, const BatchArrays& batches, int s, int i,
+               Choice acts, double dt, const Frame& at, const Point& v,
+               const ContactMotion<Pack>& motion, const LawValues<Pack>& values,
+               const ContactState<Pack>& after, const ContactForce<Pack>& force) {
   ContactState<Pack> before = load_state(batches, s, i);
   before.stiffness = after.stiffness, before.shear_stiffness = after.shear_stiffness;
   before.length = after.length;
   const Pack kinds =
       kind != 0 ? all_of(kind) : gather(batches.laws.bit, batches.faces[s].law + i);
-  add_work(
-      batches.works[batch], i, acts, dt, motion, before, after, force,
+  works.add(
+      acts, dt, at, v, motion, before, after, force,
       kinds == static_cast<double>(walton_bit) ? all_of(1.0) : Pack{},
       [&](const ContactState<Pack>& state) __attribute__((always_inline)) {
         return energy_of<kind>(kinds, values, state);
@@ -227,19 +235,20 @@ add_joint_work(const BatchArrays& batches, int batch, int s, int i, Choice acts,
 
 /// Steps a. to e. for row s. kind: the only kind of law in the batch; 0: several.
 template <LawBits kind, bool rigid, bool readings, class Sums>
-BLOCKS_INLINE void
-act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
-              const BlockState& blocks, const Pairs<rigid>& two, Pack damping,
-              const ContactLaw& usual, int i, Sums& sums, Most& most) {
+BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
+                                 const EdgeLine& edge, const Frame& at,
+                                 const BlockState& blocks, const Pairs<rigid>& two,
+                                 Pack damping, const ContactLaw& usual, int i,
+                                 Sums& sums, Most& most, WorkSums<rigid>& works) {
   const BatchPairs& pairs = batches.pairs[batch];
-  const Frame at = frame_of(sides, batches.tests[s], i);
-  const ContactStates& row = batches.states[s];
-  const Choice acts = choice_of(load(row.acts, i));
-  const Bits starts = load(row.starts, i);
+  const Bits acting = load(batches.states[s].acts, i);
+  const Choice acts = choice_of(acting);
+  const Bits starts = load(batches.states[s].starts, i);
   const Point v = two.velocity(at.x - two.low_x, at.y - two.low_y);
+
   ContactState<Pack> state = load_state(batches, s, i);
-  const FaceLength face = length_of(batches, pairs, s, sides, at.per_length, blocks, i);
-  state.length = face.length;
+  const FaceLength face = length_of(batches.faces[s], edge, at, blocks, i);
+  state.length = where(acts, face.length);
   const int* const law = batches.faces[s].law + i;
 
   const LawColumns& laws = batches.laws;
@@ -250,12 +259,16 @@ act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
       state.shear_stiffness, law_value(laws.shear_stiffness, law, pairs.only_law),
       state.length, usual.shear_stiffness);
 
+  // Idle lanes have no motion, so that their numbers need no rare paths.
   const ContactMotion<Pack> motion = {
-      -(v[0] * -at.ty + v[1] * at.tx), v[0] * at.tx + v[1] * at.ty, at.overlap,
-      damping * dashpot_share(per_area, face) *
-          root(state.stiffness / usual.normal_stiffness),
+      where(acts, -(v[0] * -at.ty + v[1] * at.tx)),
+      where(acts, v[0] * at.tx + v[1] * at.ty), at.overlap,
+      damping * dashpot_share(per_area, face, acting) *
+          root_of_stiffness(batches.dashpots[s], state.stiffness,
+                            usual.normal_stiffness, acting, i),
       where(choice_of(starts), all_of(1.0))};
   const LawValues<Pack> values = values_of(laws, law, pairs.only_law);
+  const Pack bonded = state.bonded;
   ContactForce<Pack> force = {};
   if constexpr (kind != 0) {
     if (starts != 0)
@@ -273,13 +286,11 @@ act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
                                state, force);
   }
   store_state(batches, s, i, acts, state);
-  if (batches.has_account) {
-    add_joint_work<kind>(batches, batch, s, i, acts, usual.dt, motion, values, state,
-                         force);
-    add_work_of_lag(batches.works[batch], i, acts, usual.dt,
-                    Pairs<rigid>(pairs, blocks, 0.0, i), at, v, force.normal,
-                    force.shear);
-  }
+  if (less(where(acts, state.bonded), bonded) != 0)
+    batches.marks[batch].breaks = true;
+  if (batches.has_account)
+    add_joint_work<kind>(works, batches, s, i, acts, usual.dt, at, v, motion, values,
+                         state, force);
   // The run judges springs by the stiffness of STIFF, so it gets the force that would
   // press in a contact of STIFF as far. FN / k would say too much: a contact that
   // received a spring has more force than its overlap.
@@ -287,84 +298,6 @@ act_joint_row(const BatchArrays& batches, int batch, int s, const Sides& sides,
   most.include(overlap, overlap * usual.normal_stiffness);
   add_forces<rigid, readings>(batches, s, two, at, acts, force.normal, force.shear, i,
                               sums);
-}
-
-/// Returns whether contacts in some lanes, `count` of them from lane i on, have yet to
-/// be settled (BatchMarks::unsettled).
-inline bool is_unsettled(const BatchArrays& batches, const BatchPairs& pairs, int i,
-                         int count) {
-  unsigned open = 0;
-  for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s) {
-    const ContactStates& states = batches.states[s];
-    open |= states.in_doubt;
-    if (pairs.has_laws)
-      open |= states.starts | states.ends;
-  }
-  return (open >> i & ((1U << count) - 1)) != 0;
-}
-
-/// The same as act_batch for batches with laws of joints. The length of a contact
-/// depends on which other contacts act, so these are found first. If contacts have yet
-/// to be settled, no forces are computed.
-template <LawBits kind, bool find, bool rigid, bool readings>
-Most act_joint_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
-                     const ContactLaw& usual, int i) {
-  const BatchPairs& pairs = batches.pairs[batch];
-  constexpr int kept = 8;  // rows whose sides are kept; the others compute them twice
-  Sides all[kept];
-  for (int k = 0; k < pairs.rows; ++k) {
-    const int s = pairs.first_row + k;
-    const Sides sides(batches.contacts[s], blocks, i);
-    if constexpr (find)
-      find_acting_or_held(batches, s, sides, i);
-    if (k < kept)
-      all[k] = sides;
-  }
-  if constexpr (find)
-    if (is_unsettled(batches, pairs, i, width))
-      return {};
-  const Pairs<rigid> two(pairs, blocks, usual.dt, i);
-  const Pack damping = load(pairs.damping, i);
-  Sums<readings || !rigid> sums;
-  Most most;
-  if (batches.has_account)
-    clear_work(batches.works[batch], i);
-  for (int k = 0; k < pairs.rows; ++k) {
-    const int s = pairs.first_row + k;
-    const Sides& sides =
-        k < kept ? all[k] : all[0] = Sides(batches.contacts[s], blocks, i);
-    act_joint_row<kind, rigid, readings>(batches, batch, s, sides, blocks, two, damping,
-                                         usual, i, sums, most);
-  }
-  store_sums(batches, batch, sums, i);
-  return most;
-}
-template <bool find, bool rigid, bool readings>
-BLOCKS_INLINE Most act_joint_batch(const BatchArrays& batches, int batch,
-                                   const BlockState& blocks, const ContactLaw& usual,
-                                   int i) {
-  switch (batches.pairs[batch].laws) {
-  case coulomb_bit:
-    return act_joint_batch<coulomb_bit, find, rigid, readings>(batches, batch, blocks,
-                                                               usual, i);
-  case walton_bit:
-    return act_joint_batch<walton_bit, find, rigid, readings>(batches, batch, blocks,
-                                                              usual, i);
-  case barton_bit:
-    return act_joint_batch<barton_bit, find, rigid, readings>(batches, batch, blocks,
-                                                              usual, i);
-  default:
-    return act_joint_batch<0, find, rigid, readings>(batches, batch, blocks, usual, i);
-  }
-}
-
-/// Returns whether a contact of a batch has lost its bond in this step.
-inline bool breaks(const BatchArrays& batches, const BatchPairs& pairs) {
-  for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s)
-    for (int k = 0; k < lane_count; ++k)
-      if (batches.joints[s].bonded[k] > batches.advanced_joints[s].bonded[k])
-        return true;
-  return false;
 }
 
 }  // namespace

@@ -54,9 +54,11 @@ closing_of(double dt, const ContactMotion<Number>& motion,
                         none};
   if constexpr (may_start) {
     of.begins = state.bonded > 0.0 ? none : motion.starting;
-    const Number part = of.room / of.advance;
-    const Number first_share = of.advance > of.room ? part : whole;
-    of.share = of.begins > 0.0 ? first_share : whole;
+    if (holds_in_any_lane(of.begins > 0.0)) {
+      const Number part = of.room / of.advance;
+      const Number first_share = of.advance > of.room ? part : whole;
+      of.share = of.begins > 0.0 ? first_share : whole;
+    }
   }
   return of;
 }
@@ -78,8 +80,12 @@ limit_shear(const Number& trial, const Number& limit, const Number& dashpot,
   const Number with_dashpot = held + dashpot;
   const Number less = with_dashpot < limit ? with_dashpot : limit;
   const Number clamped = less > -limit ? less : -limit;
-  const Number slip = (trial - held) / stiffness;
-  return {held, held == trial ? clamped : held, stiffness > 0.0 ? slip : Number{}};
+  Number slip = Number{};
+  if (holds_in_any_lane(held != trial)) {
+    const Number part = (trial - held) / stiffness;
+    slip = stiffness > 0.0 ? part : slip;
+  }
+  return {held, held == trial ? clamped : held, slip};
 }
 
 /// Limits the tension of a failed contact to the residual strength. A contact without

@@ -46,12 +46,12 @@ template <bool may_start = true, class Number>
   apply_strength(law, dt, closing.share, motion, state, force);
 }
 
-/// Returns the elastic energy of the springs, [F L] >= 0.
+/// Returns the elastic energy of the normal spring, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number walton_energy(const LawValues<Number>& law,
                                                    const ContactState<Number>& state) {
   const Number unloading = state.stiffness * law.unloading_ratio;
-  return state.normal * state.normal / (2.0 * unloading) + shear_energy(state);
+  return state.normal * state.normal / (2.0 * unloading);
 }
 
 }  // namespace blocks::dynamics

@@ -50,6 +50,7 @@ void BLOCKS_ADVANCE(EightContacts& contacts, int kind, double dt) {
       apply_barton(law, dt, motion, state, force);
       energy = barton_energy(law, state);
     }
+    energy += shear_energy(state);
     store(state, contacts.state, k);
     store(force, contacts.force, k);
     __builtin_memcpy(&contacts.energy[k], &energy, sizeof energy);
