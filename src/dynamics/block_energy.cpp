@@ -2,11 +2,6 @@
 
 namespace blocks::dynamics {
 
-BlockMotion motion_of(const Blocks& blocks, int b) {
-  const auto rate = blocks.strain_rate.col(b);
-  return {blocks.velocity.col(b), blocks.spin[b], {rate[0], rate[3], rate[1]}};
-}
-
 BlockMasses masses_of(const Blocks& blocks, int b, bool rigid) {
   const double mass = blocks.inertial_mass(b);
   const double inertia = blocks.has_scaled_masses()
@@ -35,19 +30,6 @@ BlockMotion turned_back(const BlockMotion& motion, double dt) {
   return {motion.velocity,
           motion.spin,
           {t11 * c - t12 * s, t21 * s + t22 * c, t11 * s + t12 * c}};
-}
-
-double kinetic_energy(const BlockMasses& masses, const BlockMotion& a,
-                      const BlockMotion& b) {
-  double twice =
-      masses.mass * a.velocity.dot(b.velocity) + masses.inertia * (a.spin * b.spin);
-  // The trace of a m b, with the tensors a, b of the rates and m of the masses.
-  const auto [a11, a22, a12] = a.rate;
-  const auto [b11, b22, b12] = b.rate;
-  const auto [m11, m22, m12] = masses.strain;
-  twice += m11 * (a11 * b11 + a12 * b12) + m22 * (a22 * b22 + a12 * b12) +
-           m12 * (a11 * b12 + a12 * b11 + a12 * b22 + a22 * b12);
-  return 0.5 * twice;
 }
 
 double strain_energy(const Blocks& blocks, int b, const Material& material) {

@@ -19,7 +19,10 @@ struct BlockMasses {
 };
 
 /// Returns the present motion of block b. The strain rates of a rigid block are 0.
-BlockMotion motion_of(const Blocks& blocks, int b);
+inline BlockMotion motion_of(const Blocks& blocks, int b) {
+  const auto rate = blocks.strain_rate.col(b);
+  return {blocks.velocity.col(b), blocks.spin[b], {rate[0], rate[3], rate[1]}};
+}
 /// Returns the inertial masses of block b with its present shape. MSCALE scales them
 /// during SOLVE.
 BlockMasses masses_of(const Blocks& blocks, int b, bool rigid);
@@ -29,8 +32,18 @@ BlockMotion turned_back(const BlockMotion& motion, double dt);
 
 /// Returns half the sum of mass times a times b. If a = b, this is the kinetic energy,
 /// [F L].
-double kinetic_energy(const BlockMasses& masses, const BlockMotion& a,
-                      const BlockMotion& b);
+inline double kinetic_energy(const BlockMasses& masses, const BlockMotion& a,
+                             const BlockMotion& b) {
+  double twice =
+      masses.mass * a.velocity.dot(b.velocity) + masses.inertia * (a.spin * b.spin);
+  // The trace of a m b, with the tensors a, b of the rates and m of the masses.
+  const auto [a11, a22, a12] = a.rate;
+  const auto [b11, b22, b12] = b.rate;
+  const auto [m11, m22, m12] = masses.strain;
+  twice += m11 * (a11 * b11 + a12 * b12) + m22 * (a22 * b22 + a12 * b12) +
+           m12 * (a11 * b12 + a12 * b11 + a12 * b22 + a22 * b12);
+  return 0.5 * twice;
+}
 
 /// Returns the strain energy of the stress of block b, [F L].
 double strain_energy(const Blocks& blocks, int b, const Material& material);

@@ -122,8 +122,10 @@ BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, i
   return state;
 }
 /// Stores the states of the lanes that act, and zeros for the others.
-BLOCKS_INLINE void store_state(const BatchArrays& batches, int s, int i, Choice acts,
-                               const ContactState<Pack>& state) {
+BLOCKS_INLINE void store_state(const BatchArrays& batches, int batch, int s, int i,
+                               Choice acts, const ContactState<Pack>& state) {
+  if (less(where(acts, state.bonded), load(batches.joints[s].bonded, i)) != 0)
+    batches.marks[batch].breaks = true;
   const auto put = [&](double* row, const Pack& x) __attribute__((always_inline)) {
     store(row, i, where(acts, x));
   };
@@ -145,13 +147,14 @@ BLOCKS_INLINE Pack stiffness_of(Pack old, Pack per_length, Pack length, double u
 /// at the same end. Its constant goes with the root of its stiffness, so two halves of
 /// an end would have stronger dashpots than the whole.
 BLOCKS_INLINE Pack dashpot_share(Pack per_area, const FaceLength& face, Bits acts) {
+  constexpr double root_of_half = 0x1.6a09e667f3bcdp-1;
   const Pack whole = all_of(1.0);
   const Bits unshared = zero(face.length - face.alone);
   const Bits halved = zero(2.0 * face.length - face.alone);
   // The root is needed only where one of two ends is shared.
   const Pack share = (acts & ~(unshared | halved)) != 0
                          ? root(face.length / face.alone)
-                         : where(choice_of(unshared), whole, root(all_of(0.5)));
+                         : where(choice_of(unshared), whole, all_of(root_of_half));
   return ((per_area > 0.0) & (face.alone > 0.0)) ? share : whole;
 }
 
@@ -244,6 +247,10 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
   const Bits acting = load(batches.states[s].acts, i);
   const Choice acts = choice_of(acting);
   const Bits starts = load(batches.states[s].starts, i);
+  if (!readings && acting == 0) {
+    store_state(batches, batch, s, i, acts, ContactState<Pack>{});
+    return;
+  }
   const Point v = two.velocity(at.x - two.low_x, at.y - two.low_y);
 
   ContactState<Pack> state = load_state(batches, s, i);
@@ -268,7 +275,6 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
                             usual.normal_stiffness, acting, i),
       where(choice_of(starts), all_of(1.0))};
   const LawValues<Pack> values = values_of(laws, law, pairs.only_law);
-  const Pack bonded = state.bonded;
   ContactForce<Pack> force = {};
   if constexpr (kind != 0) {
     if (starts != 0)
@@ -285,9 +291,7 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
     apply_in_lanes<barton_bit>(pairs.laws, kinds, values, usual.dt, motion, start,
                                state, force);
   }
-  store_state(batches, s, i, acts, state);
-  if (less(where(acts, state.bonded), bonded) != 0)
-    batches.marks[batch].breaks = true;
+  store_state(batches, batch, s, i, acts, state);
   if (batches.has_account)
     add_joint_work<kind>(works, batches, s, i, acts, usual.dt, at, v, motion, values,
                          state, force);
