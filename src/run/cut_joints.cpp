@@ -22,8 +22,8 @@ namespace {
 
 using geometry::JointSegment;
 
-// Measured with 100,000 traces: 720 MB.
-constexpr double bytes_of_piece = 7200.0;
+// Measured with 100,000 traces that cross three others each: 192 MB.
+constexpr double bytes_of_piece = 1900.0;
 
 std::uint64_t stream(const std::string& text) {
   output::Fnv1a sum;
@@ -143,7 +143,7 @@ class Generator {
   /// compared with the same set that starts at the outline.
   bool has_many_before(const geometry::JointSet& set,
                        const geometry::JointSet& near) const {
-    constexpr double many = 1e5;  // check_room() counts 720 MB for them
+    constexpr double many = 1e5;  // check_room() counts 190 MB for them
     return pieces(set) - pieces(near) > many;
   }
   void prepare(const deck::Voronoi& card) {
