@@ -20,7 +20,7 @@ inline void add_boxes(const Enclosure& from, const Enclosure& along, double begi
                       std::vector<Box>& boxes) {
   const double length =
       (end - begin) * std::max(std::abs(along.x.sup()), std::abs(along.y.sup()));
-  constexpr double most = 1e6;
+  constexpr double most = 1024.0;  // for ends that are very far away
   const double count = std::min(std::max(1.0, std::ceil(length / longest)), most);
   const auto at = [&](double i) -> Enclosure {
     const Interval s =
