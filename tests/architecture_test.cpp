@@ -48,12 +48,15 @@ std::vector<Include> includes() {
 /// headers outside the project.
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
-      "geometry", "deck",   "model",  "dynamics", "exchange", "quantities",
-      "output",   "post",   "run",    "study",    "audit",    "library",
-      "sweep",    "report", "python", "apps",     "joints"};
+      "geometry", "deck",  "model",  "dynamics", "exchange", "quantities",
+      "output",   "draw",  "post",   "run",      "study",    "audit",
+      "library",  "sweep", "report", "python",   "apps",     "joints"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
+
+/// Returns the first part of the folder of a source file.
+std::string top_of(const Include& include) { return folder_of(include.folder + '/'); }
 
 /// The list of the states of a contact. The layout of kernels and the states that
 /// readers of results know follow from it.
@@ -67,6 +70,8 @@ TEST(Architecture, SourceFoldersAreFound) {
   EXPECT_EQ(folders, (std::set<std::string>{"apps",
                                             "audit",
                                             "deck",
+                                            "draw",
+                                            "draw/chart",
                                             "dynamics",
                                             "dynamics/contacts",
                                             "dynamics/cracks",
@@ -83,7 +88,11 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "library/blocks",
                                             "model",
                                             "output",
-                                            "post",
+                                            "post/chart",
+                                            "post/export",
+                                            "post/figure",
+                                            "post/page",
+                                            "post/read",
                                             "python",
                                             "quantities",
                                             "report",
@@ -118,38 +127,65 @@ TEST(Architecture, OnlyGeometryIncludesItsExactPart) {
 TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
   const std::map<std::string, std::set<std::string>> may = {
       {"geometry", {"geometry"}},
-      {"geometry/exact", {"geometry"}},
       {"deck", {"deck", "geometry"}},
       {"exchange", {"exchange", "geometry"}},
-      {"joints", {"joints", "post", "geometry"}},
+      {"joints", {"joints", "draw", "geometry"}},
       {"model", {"model", "geometry"}},
       {"dynamics", {"dynamics", "model", "geometry"}},
       {"audit", {"audit", "model", "geometry"}},
       {"quantities", {"quantities", "model", "geometry"}},
       {"output", {"output", "quantities", "model", "geometry"}},
-      {"post", {"post", "output", "quantities", "geometry"}},
-      {"study", {"study", "dynamics", "post", "model", "geometry"}},
+      {"draw", {"draw", "output"}},
+      {"post", {"post", "draw", "output", "quantities", "geometry"}},
+      {"study", {"study", "dynamics", "draw", "model", "geometry"}},
       {"run",
        {"run", "deck", "dynamics", "audit", "exchange", "quantities", "output", "model",
         "geometry"}},
       {"sweep",
        {"sweep", "study", "run", "deck", "output", "quantities", "model", "geometry"}},
-      {"report", {"report", "sweep", "post", "run", "quantities", "output", "deck"}},
+      {"report",
+       {"report", "sweep", "post", "draw", "run", "quantities", "output", "deck"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
       {"python",
-       {"library", "study", "post", "run", "deck", "quantities", "output", "model",
-        "geometry"}},
+       {"library", "study", "post", "draw", "run", "deck", "quantities", "output",
+        "model", "geometry"}},
   };
   for (const Include& include : includes()) {
     const std::string target = folder_of(include.target);
-    if (const auto rule = may.find(include.folder);
+    if (const auto rule = may.find(top_of(include));
         rule != may.end() && !target.empty() &&
-        !(include.folder == "post" && include.target == list_of_states)) {
+        !(top_of(include) == "post" && include.target == list_of_states)) {
       EXPECT_TRUE(rule->second.contains(target))
           << include.file << " includes " << include.target;
     }
   }
+}
+
+// Reading results is independent of drawing pictures of them, and the core of drawing
+// is independent of both.
+TEST(Architecture, FoldersOfPicturesIncludeOnlyAllowedFolders) {
+  const std::map<std::string, std::set<std::string>> may = {
+      {"draw", {"draw"}},
+      {"draw/chart", {"draw", "draw/chart"}},
+      {"post/read", {"draw", "post/read"}},
+      {"post/figure", {"draw", "post/read", "post/figure"}},
+      {"post/chart", {"draw", "draw/chart", "post/read", "post/figure", "post/chart"}},
+      {"post/page", {"draw", "post/read", "post/figure", "post/page"}},
+      {"post/export", {"draw", "post/read", "post/export"}},
+  };
+  int headers = 0;
+  for (const Include& include : includes()) {
+    const auto rule = may.find(include.folder);
+    const std::string top = folder_of(include.target);
+    if (rule == may.end() || (top != "draw" && top != "post"))
+      continue;
+    ++headers;
+    EXPECT_TRUE(
+        rule->second.contains(include.target.substr(0, include.target.rfind('/'))))
+        << include.file << " includes " << include.target;
+  }
+  EXPECT_GT(headers, 100);
 }
 
 // The contact rule is a function of blocks and their neighbours. It is independent of
@@ -234,15 +270,23 @@ TEST(Architecture, InstalledHeadersAreSelfContained) {
 // Figures are drawn from results files, so they need no search and no cutting.
 TEST(Architecture, PostIncludesOnlyShapesOfGeometry) {
   for (const Include& include : includes())
-    if (include.folder == "post" && folder_of(include.target) == "geometry") {
+    if (top_of(include) == "post" && folder_of(include.target) == "geometry") {
       EXPECT_EQ(include.target, "geometry/block_shape.hpp") << include.file;
+    }
+}
+
+// Pages are files.
+TEST(Architecture, DrawIncludesOnlyFileToolsOfOutput) {
+  for (const Include& include : includes())
+    if (top_of(include) == "draw" && folder_of(include.target) == "output") {
+      EXPECT_EQ(include.target, "output/file_tools.hpp") << include.file;
     }
 }
 
 // Figures are drawn from results files.
 TEST(Architecture, PostIncludesOnlyResultsOfOutput) {
   for (const Include& include : includes())
-    if (include.folder == "post" && folder_of(include.target) == "output") {
+    if (top_of(include) == "post" && folder_of(include.target) == "output") {
       EXPECT_TRUE(include.target.starts_with("output/results") ||
                   include.target == "output/file_tools.hpp" ||
                   include.target == "output/hdf5_handle.hpp" ||

@@ -7,7 +7,7 @@ The page is `blocks view subsidence.vtkhdf --mirror 0` of decks/subsidence.
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "tests/post"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests/post/page"))
 import browser  # noqa: E402
 
 page = browser.Browser(1300, 800)

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "output/check_outputs.hpp"
-#include "post/figure.hpp"
+#include "post/figure/figure.hpp"
 #include "run/geometry_report.hpp"
 
 namespace blocks::apps {
@@ -27,7 +27,7 @@ post::Frame frame_of(const Blocks& blocks) {
 /// Adds marks at the places that the text lists, and their legend. The least serious
 /// kind comes first, so that the most serious is drawn on top.
 void mark_places(const run::GeometryReport& report, post::FigureOptions& options) {
-  using Kind = post::Mark::Kind;
+  using Kind = draw::Mark::Kind;
   constexpr std::size_t most = 10;
   const auto name = [&](Kind kind, const char* what, std::size_t shown,
                         std::size_t count) {

@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <iostream>
 
+#include "draw/number_text.hpp"
 #include "fault.hpp"
 #include "output/check_outputs.hpp"
-#include "post/counted.hpp"
-#include "post/cracks_figure.hpp"
-#include "post/cracks_table.hpp"
-#include "post/results_reader.hpp"
+#include "post/chart/cracks_figure.hpp"
+#include "post/export/cracks_table.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
 
@@ -66,7 +66,7 @@ std::string summary_of(const ShownCracks& shown) {
   }
   return fmt::format(
       "{} ({} by stress, {} by point loads), energy released {:g} {}\n\n",
-      post::counted(shown.cracks.size(), "crack"), shown.cracks.size() - by_points,
+      draw::counted(shown.cracks.size(), "crack"), shown.cracks.size() - by_points,
       by_points, released,
       post::unit_text({1, 1, -2, "J/m", ""}, shown.results.units()));
 }
@@ -94,8 +94,8 @@ void write_cracks(const std::string& path, const ShownCracks& shown,
     write_text_file(path, post::json_text(shown.table()));
   } else {
     post::FigureOptions figure;
-    figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
-                                       : post::PageSize::in_print(options.size);
+    figure.page = options.size.empty() ? draw::PageSize::on_screen(options.width)
+                                       : draw::PageSize::in_print(options.size);
     figure.title = options.title;
     figure.units = shown.results.units();
     if (shown.cracks.empty())
@@ -136,7 +136,7 @@ void add_cracks_options(CLI::App& command, CracksOptions& options) {
                     .add_option("--width", options.width,
                                 "width of a figure, in pixels or points")
                     ->check(CLI::Range(100, 20000));
-  command.add_option("--size", options.size, post::PageSize::help())->excludes(width);
+  command.add_option("--size", options.size, draw::PageSize::help())->excludes(width);
 }
 
 int cracks(const CracksOptions& options) {

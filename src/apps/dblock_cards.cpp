@@ -10,7 +10,7 @@
 
 #include "deck/free_field.hpp"
 #include "deck/suggest.hpp"
-#include "post/counted.hpp"
+#include "draw/number_text.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -23,8 +23,8 @@ struct Card {
 };
 
 /// The colours of Table E.2.
-const std::map<std::string, post::Colour, std::less<>>& colours() {
-  static const std::map<std::string, post::Colour, std::less<>> all = {
+const std::map<std::string, draw::Colour, std::less<>>& colours() {
+  static const std::map<std::string, draw::Colour, std::less<>> all = {
       {"CLEARC", {1, 1, 1}},
       {"BLUE", {0.16, 0.35, 0.80}},
       {"CYAN", {0.35, 0.80, 0.85}},
@@ -36,7 +36,7 @@ const std::map<std::string, post::Colour, std::less<>>& colours() {
   return all;
 }
 
-Card colour_card(const post::Colour& colour) {
+Card colour_card(const draw::Colour& colour) {
   return {1, 1,
           [=](DblockCards& cards, const std::vector<double>& v) {
             cards.materials[static_cast<int>(v[0])] = colour;
@@ -113,7 +113,7 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
     faults.error(line.fields.front().where, name,
                  card.least == card.most
                      ? fmt::format("expected {}, found {}",
-                                   post::counted(card.least, "number"), values.size())
+                                   draw::counted(card.least, "number"), values.size())
                      : fmt::format("expected {} to {} numbers, found {}", card.least,
                                    card.most, values.size()));
     sound = false;
@@ -123,7 +123,7 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
 
 }  // namespace
 
-std::optional<post::Colour> named_colour(const std::string& name) {
+std::optional<draw::Colour> named_colour(const std::string& name) {
   if (const auto found = colours().find(deck::capitals(name)); found != colours().end())
     return found->second;
   if (name.size() != 7 || name[0] != '#' ||
@@ -132,7 +132,7 @@ std::optional<post::Colour> named_colour(const std::string& name) {
   const auto part = [&](std::size_t at) {
     return std::stoi(name.substr(at, 2), nullptr, 16) / 255.0;
   };
-  return post::Colour{part(1), part(3), part(5)};
+  return draw::Colour{part(1), part(3), part(5)};
 }
 
 std::string colour_names() {

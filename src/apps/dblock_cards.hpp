@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "deck/diagnostics.hpp"
-#include "post/colour_map.hpp"
+#include "draw/colour_map.hpp"
 
 namespace blocks::apps {
 
@@ -25,7 +25,7 @@ struct DblockCards {
   std::vector<double> times;              ///< TIMES [T]
   bool movie = false;                     ///< MOVIE
   bool flip = false;                      ///< FLIP
-  std::map<int, post::Colour> materials;  ///< CLEARC, BLUE, ...
+  std::map<int, draw::Colour> materials;  ///< CLEARC, BLUE, ...
   std::map<int, std::pair<deck::SourceLocation, std::string>>
       painted;  ///< place and name of the card that painted a material
 
@@ -36,7 +36,7 @@ struct DblockCards {
 };
 
 /// Returns a colour by its name in Table E.2, in upper or lower case, or by #rrggbb.
-std::optional<post::Colour> named_colour(const std::string& name);
+std::optional<draw::Colour> named_colour(const std::string& name);
 /// Lists the names, "BLUE, CLEARC, ..." and #rrggbb.
 std::string colour_names();
 

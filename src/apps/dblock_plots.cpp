@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "dblock_cards.hpp"
-#include "post/counted.hpp"
-#include "post/figure_scales.hpp"
-#include "post/material_list.hpp"
-#include "post/movie.hpp"
+#include "draw/number_text.hpp"
+#include "post/figure/figure_scales.hpp"
+#include "post/figure/movie.hpp"
+#include "post/read/material_list.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"
 
@@ -79,7 +79,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
 
   check_options(cards, figure);
   constexpr double widths[] = {1200, 800, 640};  // FRAMESIZE
-  figure.page = post::PageSize::on_screen(widths[cards.frame_size - 1]);
+  figure.page = draw::PageSize::on_screen(widths[cards.frame_size - 1]);
   for (const auto& [material, colour] : cards.materials)
     figure.material_colours[material] = colour;
   if (cards.zoom)
@@ -103,7 +103,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
       for (const long frame : chosen)
         print_corners(results.frame(frame));
     else
-      fmt::print("{}: {}, {:.3g} s\n", output, post::counted(chosen.size(), "picture"),
+      fmt::print("{}: {}, {:.3g} s\n", output, draw::counted(chosen.size(), "picture"),
                  static_cast<double>(chosen.size()) / rate);
     return run::done;
   }

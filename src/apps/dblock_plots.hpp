@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "post/figure.hpp"
+#include "post/figure/figure.hpp"
 
 namespace blocks::apps {
 

@@ -11,19 +11,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "draw/joint_colours.hpp"
+#include "draw/number_text.hpp"
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
 #include "geometry/polygon.hpp"
 #include "model/model.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
-#include "post/counted.hpp"
-#include "post/crack_tracker.hpp"
-#include "post/joint_style.hpp"
-#include "post/quantity.hpp"
-#include "post/results_nearby.hpp"
-#include "post/results_reader.hpp"
-#include "post/time_series.hpp"
+#include "post/export/time_series.hpp"
+#include "post/read/crack_tracker.hpp"
+#include "post/read/quantity.hpp"
+#include "post/read/results_nearby.hpp"
+#include "post/read/results_reader.hpp"
 #include "quantities/units.hpp"
 #include "run/interrupt.hpp"
 #include "text_file.hpp"
@@ -141,7 +141,7 @@ exchange::SvgScale scale_of(const Scene& scene, double given) {
 
 std::string write_drawing(const Scene& scene, const exchange::SvgScale& scale) {
   return exchange::write_svg(scene.blocks, scale, [](int joint) {
-    return post::css(post::joint_colour(joint));
+    return draw::css(draw::joint_colour(joint));
   });
 }
 
@@ -210,8 +210,8 @@ void write_series(const ExportOptions& options, const std::string& format,
       write(options.output, results, frames, run::stop_if_interrupted);
   if (!options.input.quiet)
     fmt::print("{}: {}, {} of blocks and {} of contacts\n",
-               fmt::join(files.names, ", "), post::counted(frames.size(), "time"),
-               post::counted(static_cast<std::size_t>(files.blocks), "row"),
+               fmt::join(files.names, ", "), draw::counted(frames.size(), "time"),
+               draw::counted(static_cast<std::size_t>(files.blocks), "row"),
                files.contacts);
 }
 
@@ -331,11 +331,11 @@ int export_blocks(ExportOptions options) {
   }
   write_text_file(options.output, text);
   if (!options.input.quiet) {
-    fmt::print("{}: {}", options.output, post::counted(scene.blocks.size(), "block"));
+    fmt::print("{}: {}", options.output, draw::counted(scene.blocks.size(), "block"));
     if (scene.time)
       fmt::print(" at time {:g}", *scene.time);
     if (scene.removed > 0)
-      fmt::print("; {} left out", post::counted(static_cast<std::size_t>(scene.removed),
+      fmt::print("; {} left out", draw::counted(static_cast<std::size_t>(scene.removed),
                                                 "removed block"));
     if (format == "svg")
       fmt::print("; 1:{:.9g}{}", scale.scale,

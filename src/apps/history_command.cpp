@@ -11,14 +11,14 @@
 #include <memory>
 #include <optional>
 
+#include "draw/chart/line_chart.hpp"
 #include "history_lines.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
-#include "post/crack_tracker.hpp"
-#include "post/history.hpp"
-#include "post/line_chart.hpp"
-#include "post/number_table.hpp"
-#include "post/profile.hpp"
+#include "post/chart/history.hpp"
+#include "post/chart/profile.hpp"
+#include "post/export/number_table.hpp"
+#include "post/read/crack_tracker.hpp"
 #include "quoted_list.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
@@ -85,7 +85,7 @@ std::string sign_of(const std::string& quantity, bool compression_positive) {
 /// The numbers for the tables and the lines for the figure.
 struct Answer {
   std::vector<NumberTable> runs;
-  post::Chart chart;
+  draw::Chart chart;
 };
 
 /// Returns the units of all runs: those of --units, otherwise those of the first run.
@@ -110,7 +110,7 @@ std::optional<Units> common_units(const HistoryOptions& options) {
   return units;
 }
 
-void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs,
+void set_heading(draw::Chart& chart, const std::vector<NumberTable>& runs,
                  const HistoryOptions& options) {
   std::vector<std::string> titles;
   for (const NumberTable& run : runs)
@@ -285,14 +285,14 @@ void check_names(const std::vector<std::string>& outputs) {
   output::check_outputs(outputs);
 }
 
-void write(const std::string& path, const Answer& answer, const post::PageSize& page) {
+void write(const std::string& path, const Answer& answer, const draw::PageSize& page) {
   const std::string ending = fs::path(path).extension().string();
   if (ending == ".csv")
     write_text_file(path, post::csv_text(answer.runs));
   else if (ending == ".json")
     write_text_file(path, post::json_text(answer.runs));
   else
-    post::draw_chart(path, answer.chart, page);
+    draw::draw_chart(path, answer.chart, page);
   fmt::print("{}\n", path);
 }
 
@@ -369,7 +369,7 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
                     .add_option("--width", options.width,
                                 "width of a figure, in pixels or points")
                     ->check(CLI::Range(100, 20000));
-  command.add_option("--size", options.size, post::PageSize::help())->excludes(width);
+  command.add_option("--size", options.size, draw::PageSize::help())->excludes(width);
   command.footer("Quantities " + quantities::history_help());
 }
 
@@ -400,9 +400,9 @@ int history(HistoryOptions options) {
                                "symmetry plane of a half model");
     check_names(options.outputs);
     const std::optional<Units> units = common_units(options);
-    const post::PageSize page = options.size.empty()
-                                    ? post::PageSize::on_screen(options.width)
-                                    : post::PageSize::in_print(options.size);
+    const draw::PageSize page = options.size.empty()
+                                    ? draw::PageSize::on_screen(options.width)
+                                    : draw::PageSize::in_print(options.size);
     const Answer answer =
         options.profile.empty() ? histories(options, units) : profiles(options, units);
     if (options.outputs.empty())

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "post/run_band.hpp"
+#include "post/chart/run_band.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -24,9 +24,9 @@ std::string joined(const post::RunParts& run, bool with_folder) {
 }
 
 /// Returns the panel with this axis label, and adds it if there is none.
-post::ChartPanel& panel(std::vector<post::ChartPanel>& panels, const RunLine& line) {
+draw::ChartPanel& panel(std::vector<draw::ChartPanel>& panels, const RunLine& line) {
   const auto found =
-      std::find_if(panels.begin(), panels.end(), [&](const post::ChartPanel& p) {
+      std::find_if(panels.begin(), panels.end(), [&](const draw::ChartPanel& p) {
         return p.y_label == line.y_label;
       });
   if (found != panels.end())
@@ -35,9 +35,9 @@ post::ChartPanel& panel(std::vector<post::ChartPanel>& panels, const RunLine& li
   return panels.back();
 }
 
-post::ChartLine band(const std::vector<post::ChartLine>& lines,
+draw::ChartLine band(const std::vector<draw::ChartLine>& lines,
                      const std::string& what) {
-  post::ChartLine line = post::band_of(lines);
+  draw::ChartLine line = post::band_of(lines);
   line.legend = what + ", median";
   line.band_legend = fmt::format("{:g} to {:g} % of {} runs", post::band_low,
                                  post::band_high, lines.size());
@@ -68,12 +68,12 @@ std::string legend_of(const std::string& curve, const std::string& run) {
   return run.empty() ? curve : curve + ", " + run;
 }
 
-std::vector<post::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool bands) {
+std::vector<draw::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool bands) {
   using Key = std::pair<std::string, std::string>;
-  std::map<Key, std::vector<post::ChartLine>> same;
+  std::map<Key, std::vector<draw::ChartLine>> same;
   for (const RunLine& line : lines)
     same[{line.y_label, line.what}].push_back({line.legend, line.x, line.y});
-  std::vector<post::ChartPanel> panels;
+  std::vector<draw::ChartPanel> panels;
   std::map<Key, std::size_t> drawn;
   for (const RunLine& line : lines) {
     const Key key{line.y_label, line.what};

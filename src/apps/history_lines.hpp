@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "post/line_chart.hpp"
-#include "post/run_parts.hpp"
+#include "draw/chart/line_chart.hpp"
+#include "post/read/run_parts.hpp"
 
 namespace blocks::apps {
 
@@ -32,6 +32,6 @@ std::string legend_of(const std::string& curve, const std::string& run);
 
 /// Returns the panels in the order of the lines. With `bands`, curves of more than
 /// most_single_runs runs become a median and a band.
-std::vector<post::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool bands);
+std::vector<draw::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool bands);
 
 }  // namespace blocks::apps

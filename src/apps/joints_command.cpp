@@ -8,13 +8,13 @@
 #include <iostream>
 #include <set>
 
+#include "draw/number_text.hpp"
 #include "fault.hpp"
 #include "joints/fit_report.hpp"
 #include "joints/map_figure.hpp"
 #include "joints/statistics.hpp"
 #include "option_checks.hpp"
 #include "output/check_outputs.hpp"
-#include "post/counted.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
 
@@ -148,7 +148,7 @@ void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
                     .add_option("--width", options.width,
                                 "width of a figure, in pixels or points")
                     ->check(CLI::Range(100, 20000));
-  command.add_option("--size", options.size, post::PageSize::help())->excludes(width);
+  command.add_option("--size", options.size, draw::PageSize::help())->excludes(width);
 }
 
 void add_joint_fit_options(CLI::App& command, JointsOptions& options) {
@@ -177,9 +177,9 @@ int joint_statistics(const JointsOptions& options) {
       how.scanlines.push_back(scanline_of(line));
     check_endings(options.outputs, {".json", ".png", ".svg", ".pdf"},
                   ".json, .png, .svg or .pdf");
-    const post::PageSize page = options.size.empty()
-                                    ? post::PageSize::on_screen(options.width)
-                                    : post::PageSize::in_print(options.size);
+    const draw::PageSize page = options.size.empty()
+                                    ? draw::PageSize::on_screen(options.width)
+                                    : draw::PageSize::in_print(options.size);
     check_joint_outputs(options, options.outputs);
     const ReadMaps read = read_maps(options.input);
     if (read.code != run::done)
@@ -233,7 +233,7 @@ int fit_joints(const JointsOptions& options) {
       throw std::runtime_error(fmt::format(
           "{}: {} of traces show{} no family of directions, and no joint set\n  hint: "
           "a set needs at least three traces; give a larger map",
-          map.name, post::counted(network.pieces.size(), "part"),
+          map.name, draw::counted(network.pieces.size(), "part"),
           network.pieces.size() == 1 ? "s" : ""));
     write_text_file(deck, joints::fit_deck(fit, map, network));
     std::cout << (options.json ? joints::fit_json(fit, map)

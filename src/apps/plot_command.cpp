@@ -13,14 +13,14 @@
 #include "dblock_cards.hpp"
 #include "dblock_plots.hpp"
 #include "deck/free_field.hpp"
+#include "draw/number_text.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
-#include "post/counted.hpp"
-#include "post/figure_scales.hpp"
-#include "post/joints_figure.hpp"
-#include "post/material_list.hpp"
-#include "post/movie.hpp"
-#include "post/quantity.hpp"
+#include "post/chart/joints_figure.hpp"
+#include "post/figure/figure_scales.hpp"
+#include "post/figure/movie.hpp"
+#include "post/read/material_list.hpp"
+#include "post/read/quantity.hpp"
 #include "quantities/statistic.hpp"
 #include "quoted_list.hpp"
 #include "run/run.hpp"
@@ -167,7 +167,7 @@ void check_combinations(const PlotOptions& options) {
          "--colormap is for --colour QUANTITY; colours of materials are --materials, "
          "those of joints and bonds are fixed");
   if (!options.figure.colour_map.empty())
-    post::colour_map(options.figure.colour_map);  // throws for an unknown name
+    draw::colour_map(options.figure.colour_map);  // throws for an unknown name
   refuse(!options.materials.empty() &&
              (options.figure.shows_quantity() || options.figure.shows_families()),
          "--materials is for --colour material, or a colour of the sides of blocks");
@@ -175,9 +175,9 @@ void check_combinations(const PlotOptions& options) {
 
 /// Reads colours such as "1=RED". Throws std::runtime_error that lists the possible
 /// values.
-std::map<int, post::Colour> material_colours(const std::vector<std::string>& texts,
+std::map<int, draw::Colour> material_colours(const std::vector<std::string>& texts,
                                              const post::ResultsReader& results) {
-  std::map<int, post::Colour> chosen;
+  std::map<int, draw::Colour> chosen;
   if (texts.empty())
     return chosen;
   const std::set<int> present = post::materials_of(results);
@@ -234,8 +234,8 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
                            "shear_displacement", "water_pressure"})
     if (deck::capitals(figure.colour) == deck::capitals(name))
       figure.colour = name;
-  figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
-                                     : post::PageSize::in_print(options.size);
+  figure.page = options.size.empty() ? draw::PageSize::on_screen(options.width)
+                                     : draw::PageSize::in_print(options.size);
 }
 
 }  // namespace
@@ -289,7 +289,7 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
               quantities::block_quantity_names())
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,
-                     "colours of a quantity: " + post::colour_map_names() +
+                     "colours of a quantity: " + draw::colour_map_names() +
                          " (default: bluered for signed quantities, viridis for "
                          "coordinates, masses and areas, else ylgnbu)");
   command
@@ -345,7 +345,7 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                                 "width of the figure, in pixels or points")
                     ->check(CLI::Range(100, 20000))
                     ->capture_default_str();
-  auto* size = command.add_option("--size", options.size, post::PageSize::help())
+  auto* size = command.add_option("--size", options.size, draw::PageSize::help())
                    ->excludes(width);
   command.add_flag(
       "--joints", options.joints,
@@ -402,7 +402,7 @@ int plot(PlotOptions options) {
     if (post::is_movie(options.output)) {
       post::draw_movie(options.output, results, frames, rate, options.figure);
       fmt::print("{}: {}, {:.3g} s\n", options.output,
-                 post::counted(frames.size(), "picture"),
+                 draw::counted(frames.size(), "picture"),
                  static_cast<double>(frames.size()) / rate);
     } else {
       options.figure.asked_times = options.times;

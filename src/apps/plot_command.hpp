@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "post/figure.hpp"
+#include "post/figure/figure.hpp"
 
 namespace blocks::apps {
 

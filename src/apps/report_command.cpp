@@ -108,12 +108,12 @@ void write_page(const std::string& path, const report::Ensemble& ensemble,
 /// Writes one file for each chart: "trough.pdf" becomes "trough-profile.pdf".
 void write_figures(const std::string& path, const report::Ensemble& ensemble,
                    const report::Analysis& analysis, const ReportOptions& options) {
-  const post::PageSize page =
-      post::PageSize::in_print(options.size.empty() ? "double" : options.size);
+  const draw::PageSize page =
+      draw::PageSize::in_print(options.size.empty() ? "double" : options.size);
   const std::string stem = fs::path(path).replace_extension().string();
   for (const report::NamedChart& named : report::all_charts(ensemble, analysis)) {
     const std::string file = fmt::format("{}-{}{}", stem, named.name, ending_of(path));
-    std::visit([&](const auto& one) { post::draw_chart(file, one, page); },
+    std::visit([&](const auto& one) { draw::draw_chart(file, one, page); },
                named.chart);
     fmt::print("{}\n", file);
   }
@@ -182,7 +182,7 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
                      "units of length, mass and time, such as m,kg,s: values are "
                      "converted if the deck has a UNITS card, otherwise the units are "
                      "only named");
-  command.add_option("--size", options.size, post::PageSize::help());
+  command.add_option("--size", options.size, draw::PageSize::help());
   command.add_option("--title", options.title,
                      "title of the page instead of that of the deck");
   command.add_flag("--compression-positive", options.compression_positive,

@@ -9,7 +9,7 @@
 
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
-#include "post/view_page.hpp"
+#include "post/page/view_page.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
 

@@ -12,8 +12,8 @@
 #include <algorithm>
 
 #include "output/checkpoint.hpp"
-#include "post/results_nearby.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_nearby.hpp"
+#include "post/read/results_reader.hpp"
 
 namespace blocks::apps {
 namespace {

@@ -4,24 +4,24 @@
 
 #include <cmath>
 
+#include "draw/chart/rose_layout.hpp"
+#include "draw/number_text.hpp"
+#include "draw/page_file.hpp"
+#include "draw/pen.hpp"
 #include "joints/node_triangle.hpp"
-#include "post/counted.hpp"
-#include "post/page_file.hpp"
-#include "post/pen.hpp"
-#include "post/rose_layout.hpp"
 
 namespace blocks::joints {
 namespace {
 
-using post::Histogram;
+using draw::Histogram;
 
-post::JointStatistics directions_of(const MapStatistics& map) {
-  std::vector<post::DirectedLength> lengths;
+draw::Directions directions_of(const MapStatistics& map) {
+  std::vector<draw::DirectedLength> lengths;
   for (std::size_t i = 0; i < map.network.pieces.size(); ++i)
     lengths.push_back({map.mixture.member[i] < 0 ? static_cast<int>(map.families.size())
                                                  : map.mixture.member[i] + 1,
                        map.network.pieces[i].direction, map.network.pieces[i].length});
-  return post::direction_statistics(lengths);
+  return draw::direction_statistics(lengths);
 }
 
 std::string corrected(const Estimate& one) {
@@ -47,23 +47,23 @@ std::vector<Histogram> histograms_of(const MapStatistics& map) {
 
 constexpr std::size_t plots = 3;  ///< triangle, traces, branches
 
-void draw_map(post::Pen& pen, const std::vector<MapStatistics>& maps, std::size_t k,
-              const post::PageSize& page, const post::RoseLayout& layout) {
+void draw_map(draw::Pen& pen, const std::vector<MapStatistics>& maps, std::size_t k,
+              const draw::PageSize& page, const draw::RoseLayout& layout) {
   const MapStatistics& map = maps[k];
-  const post::JointStatistics directions = directions_of(map);
+  const draw::Directions directions = directions_of(map);
   const std::string heading =
       maps.size() > 1 ? fmt::format("{}  {}", k + 1, map.name) : map.name;
-  post::draw_heading(
+  draw::draw_heading(
       pen, layout, page, heading,
       fmt::format(
           "{}    P20 {:.3g} / L²    P21 {:.3g} / L    connections per branch {}",
-          post::counted(map.network.pieces.size(), "trace"), map.density.p20.value,
+          draw::counted(map.network.pieces.size(), "trace"), map.density.p20.value,
           map.density.p21.value,
           std::isfinite(map.topology.connections_per_branch)
               ? fmt::format("{:.3g}", map.topology.connections_per_branch)
               : std::string("-")));
-  post::draw_rose(pen, layout.rose, directions);
-  post::draw_rose_legend(
+  draw::draw_rose(pen, layout.rose, directions);
+  draw::draw_rose_legend(
       pen, layout.legend_left, layout.legend_top, layout.legend_wide, directions,
       [&](int id) {
         return map.families[static_cast<std::size_t>(id - 1)].scattered
@@ -76,30 +76,30 @@ void draw_map(post::Pen& pen, const std::vector<MapStatistics>& maps, std::size_
   draw_node_triangle(pen, layout.plots[0], nodes, k);
   const std::vector<Histogram> histograms = histograms_of(map);
   for (std::size_t i = 0; i < histograms.size(); ++i)
-    post::draw_histogram(pen, layout.plots[i + 1], histograms[i]);
+    draw::draw_histogram(pen, layout.plots[i + 1], histograms[i]);
 }
 
 }  // namespace
 
 void draw_map_figure(const std::string& path, const std::vector<MapStatistics>& maps,
-                     const post::PageSize& page) {
-  post::PageSize part = page;
+                     const draw::PageSize& page) {
+  draw::PageSize part = page;
   part.height = page.height / static_cast<double>(maps.size());
-  std::vector<post::RoseLayout> layouts;
+  std::vector<draw::RoseLayout> layouts;
   double height = 0.0;
   for (const MapStatistics& map : maps) {
-    layouts.emplace_back(post::rose_legend_height(directions_of(map)), plots, part,
+    layouts.emplace_back(draw::rose_legend_height(directions_of(map)), plots, part,
                          true);
     height += layouts.back().height;
   }
-  post::write_page(path, page, height, [&](cairo_t* cairo) {
+  draw::write_page(path, page, height, [&](cairo_t* cairo) {
     double top = 0.0;
     for (std::size_t k = 0; k < maps.size(); ++k) {
       cairo_save(cairo);
       cairo_rectangle(cairo, 0.0, top, page.width, layouts[k].height);
       cairo_clip(cairo);
       cairo_translate(cairo, 0.0, top);
-      post::Pen pen(cairo, page);
+      draw::Pen pen(cairo, page);
       draw_map(pen, maps, k, page, layouts[k]);
       cairo_restore(cairo);
       top += layouts[k].height;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "draw/page_size.hpp"
 #include "joints/statistics.hpp"
-#include "post/page_size.hpp"
 
 namespace blocks::joints {
 
@@ -14,6 +14,6 @@ namespace blocks::joints {
 /// extension. Throws std::runtime_error if the page is too small or the extension is
 /// unknown, and output::FileError if the file cannot be written.
 void draw_map_figure(const std::string& path, const std::vector<MapStatistics>& maps,
-                     const post::PageSize& page);
+                     const draw::PageSize& page);
 
 }  // namespace blocks::joints

@@ -9,21 +9,21 @@
 namespace blocks::joints {
 namespace {
 
+using draw::Colour;
 using geometry::Vec2;
-using post::Colour;
 
 constexpr Colour grid{0.82, 0.82, 0.83}, point{0.0, 0.32, 0.55};
 
 class Triangle {
  public:
-  Triangle(post::Pen& pen, const post::HistogramPlace& place)
+  Triangle(draw::Pen& pen, const draw::HistogramPlace& place)
       : pen_(pen), cairo_(pen.cairo()) {
     constexpr double aspect = 0.5 * std::numbers::sqrt3;  // height over side
     constexpr double names = 34;  // room for the names of the corners
     const double height = std::min(place.height, aspect * (place.width - names));
     const double side = height / aspect;
     const double middle =
-        place.left + 0.5 * (place.width - post::HistogramPlace::beside);
+        place.left + 0.5 * (place.width - draw::HistogramPlace::beside);
     i_ = {middle, place.top + 0.5 * (place.height - height)};
     y_ = {middle - 0.5 * side, i_.y() + height};
     x_ = {middle + 0.5 * side, i_.y() + height};
@@ -34,12 +34,12 @@ class Triangle {
       contour(c);
     path({i_, y_, x_});
     cairo_close_path(cairo_);
-    pen_.stroke(1.0, post::ink);
-    pen_.text("I", i_.x(), i_.y() - 6, 14, post::ink, 0.5, 1);
-    pen_.text("Y", y_.x() - 8, y_.y(), 14, post::ink, 1, 0.5);
-    pen_.text("X", x_.x() + 8, x_.y(), 14, post::ink, 0, 0.5);
+    pen_.stroke(1.0, draw::ink);
+    pen_.text("I", i_.x(), i_.y() - 6, 14, draw::ink, 0.5, 1);
+    pen_.text("Y", y_.x() - 8, y_.y(), 14, draw::ink, 1, 0.5);
+    pen_.text("X", x_.x() + 8, x_.y(), 14, draw::ink, 0, 0.5);
     pen_.text("nodes; lines: connections per branch", 0.5 * (y_.x() + x_.x()),
-              y_.y() + 33, 14, post::ink, 0.5, 0, 1.9 * (x_.x() - y_.x()));
+              y_.y() + 33, 14, draw::ink, 0.5, 0, 1.9 * (x_.x() - y_.x()));
   }
 
   void mark(const NodeCounts& nodes, const std::string& name, bool own) {
@@ -50,11 +50,11 @@ class Triangle {
         at(static_cast<double>(nodes.i) / all, static_cast<double>(nodes.y) / all);
     cairo_new_path(cairo_);
     cairo_arc(cairo_, p.x(), p.y(), 5.5, 0.0, 2.0 * std::numbers::pi);
-    pen_.colour(own ? point : post::white);
+    pen_.colour(own ? point : draw::white);
     cairo_fill_preserve(cairo_);
     pen_.stroke(1.4, point);
     if (!name.empty())
-      pen_.text(name, p.x() + 9, p.y(), 12.5, post::ink, 0, 0.5);
+      pen_.text(name, p.x() + 9, p.y(), 12.5, draw::ink, 0, 0.5);
   }
 
  private:
@@ -74,18 +74,18 @@ class Triangle {
     const Vec2 left = at(on_y, 1.0 - on_y), right = at(on_x, 0.0);
     path({left, right});
     pen_.stroke(0.8, grid);
-    pen_.text(fmt::format("{:g}", c), right.x() + 6, right.y(), 12, post::muted, 0,
+    pen_.text(fmt::format("{:g}", c), right.x() + 6, right.y(), 12, draw::muted, 0,
               0.5);
   }
 
-  post::Pen& pen_;
+  draw::Pen& pen_;
   cairo_t* cairo_;
   Vec2 i_ = Vec2::Zero(), y_ = Vec2::Zero(), x_ = Vec2::Zero();  ///< corners
 };
 
 }  // namespace
 
-void draw_node_triangle(post::Pen& pen, const post::HistogramPlace& place,
+void draw_node_triangle(draw::Pen& pen, const draw::HistogramPlace& place,
                         const std::vector<NodeCounts>& networks, std::size_t own) {
   Triangle triangle(pen, place);
   triangle.frame();

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "post/crack_tracker.hpp"
-#include "post/face_motion.hpp"
-#include "post/quantity.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/crack_tracker.hpp"
+#include "post/read/face_motion.hpp"
+#include "post/read/quantity.hpp"
+#include "post/read/results_reader.hpp"
 
 namespace blocks::python {
 namespace {

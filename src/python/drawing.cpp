@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bindings.hpp"
-#include "post/bond_sides.hpp"
-#include "post/colour_map.hpp"
-#include "post/joint_faces.hpp"
-#include "post/joint_style.hpp"
+#include "draw/colour_map.hpp"
+#include "draw/joint_colours.hpp"
+#include "post/figure/bond_sides.hpp"
+#include "post/read/joint_faces.hpp"
 
 namespace blocks::python {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 template <class T>
 using Column = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-py::tuple tuple_of(const post::Colour& colour) {
+py::tuple tuple_of(const draw::Colour& colour) {
   return py::make_tuple(colour.r, colour.g, colour.b);
 }
 
@@ -93,18 +93,18 @@ py::tuple face_parts(const Column<double>& corners, const Column<int>& first_cor
 void bind_drawing(py::module_& module) {
   module.def(
       "_material_colour",
-      [](int material) { return tuple_of(post::material_colour(material)); },
+      [](int material) { return tuple_of(draw::material_colour(material)); },
       py::arg("material"));
   module.def(
-      "_joint_colour", [](int joint) { return tuple_of(post::joint_colour(joint)); },
+      "_joint_colour", [](int joint) { return tuple_of(draw::joint_colour(joint)); },
       py::arg("joint"));
   module.def(
-      "_force_colour", [](double part) { return tuple_of(post::intensity(part)); },
+      "_force_colour", [](double part) { return tuple_of(draw::intensity(part)); },
       py::arg("part"));
   module.def(
       "_slip_colour", [](double part) { return tuple_of(post::slip_colour(part)); },
       py::arg("part"));
-  module.attr("_NO_JOINT_COLOUR") = tuple_of(post::no_joint_colour);
+  module.attr("_NO_JOINT_COLOUR") = tuple_of(draw::no_joint_colour);
   module.attr("_BONDED_COLOUR") = tuple_of(post::bonded_colour);
   module.def("_face_parts", &face_parts, py::arg("corners"), py::arg("first_corner"),
              py::arg("contacts"));

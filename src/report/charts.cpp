@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "deck/card_table.hpp"
-#include "post/axes.hpp"
+#include "draw/axes.hpp"
 
 namespace blocks::report {
 namespace {
 
-using Form = post::ChartLine::Form;
+using Form = draw::ChartLine::Form;
 
 constexpr quantities::Dimension length{1, 0, 0, "m", ""};
 
@@ -35,16 +35,16 @@ bool all_whole(const std::vector<double>& values) {
   });
 }
 
-post::ChartLine mark(const std::string& legend, double at) {
-  post::ChartLine line{legend, {at}, {0.0}};
+draw::ChartLine mark(const std::string& legend, double at) {
+  draw::ChartLine line{legend, {at}, {0.0}};
   line.form = Form::mark;
   return line;
 }
 
 /// Returns the bars of values in bins of equal width.
-post::ChartLine bars(const std::vector<double>& values,
+draw::ChartLine bars(const std::vector<double>& values,
                      const std::vector<double>& boundaries) {
-  post::ChartLine line;
+  draw::ChartLine line;
   line.form = Form::bars;
   line.bar = boundaries[1] - boundaries[0];
   for (std::size_t i = 0; i + 1 < boundaries.size(); ++i) {
@@ -72,8 +72,8 @@ std::vector<std::size_t> drawn_groups(const std::vector<std::size_t>& with_value
 }
 
 /// The points of the groups in ascending order of the parameter.
-post::ChartLine points(const Analysis& analysis) {
-  post::ChartLine line;
+draw::ChartLine points(const Analysis& analysis) {
+  draw::ChartLine line;
   line.form = Form::intervals;
   line.x = analysis.axis;
   std::sort(line.x.begin(), line.x.end());
@@ -100,12 +100,12 @@ std::string parameter_label(const std::string& name) {
   return label.size() <= longest ? label : name;
 }
 
-post::Chart parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
-                            post::ChartLine line, const std::string& y_label) {
+draw::Chart parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
+                            draw::ChartLine line, const std::string& y_label) {
   if (std::none_of(line.y.begin(), line.y.end(),
                    [](double y) { return std::isfinite(y); }))
     return {};
-  post::Chart chart;
+  draw::Chart chart;
   chart.x_label = parameter_label(ensemble.parameters[*analysis.compared]);
   chart.panels = {{y_label, {std::move(line)}}};
   return chart;
@@ -156,7 +156,7 @@ std::vector<double> bin_boundaries(std::vector<double> values) {
   const double width = 2.0 * spread / std::cbrt(static_cast<double>(values.size()));
   const double count = std::clamp(width > 0.0 ? range / width : fewest, fewest, most);
   const std::vector<double> ticks =
-      post::nice_ticks(low, high, static_cast<int>(std::lround(count)));
+      draw::nice_ticks(low, high, static_cast<int>(std::lround(count)));
   if (ticks.size() < 2)
     return {low, high};
   const double step =
@@ -170,12 +170,12 @@ std::vector<double> bin_boundaries(std::vector<double> values) {
   return boundaries;
 }
 
-post::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
+draw::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
   if (!ensemble.profile)
     return {};
   const auto* kind = quantities::find_quantity(ensemble.profile->quantity);
-  post::Chart chart;
-  post::ChartPanel panel{
+  draw::Chart chart;
+  draw::ChartPanel panel{
       with_unit(kind->label, post::unit_text(kind->dimension, ensemble.units)), {}};
   std::vector<std::size_t> with_profile;
   for (std::size_t g = 0; g < analysis.groups.size(); ++g)
@@ -184,7 +184,7 @@ post::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
   for (const std::size_t g : drawn_groups(with_profile)) {
     const auto& band = analysis.groups[g].profile;
     const std::string name = ensemble.name_of(ensemble.groups[g]);
-    post::ChartLine line{name.empty() ? "median" : name, ensemble.positions,
+    draw::ChartLine line{name.empty() ? "median" : name, ensemble.positions,
                          band->median};
     if (band->runs > 1) {
       line.low = band->low;
@@ -202,7 +202,7 @@ post::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
   return chart;
 }
 
-post::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
+draw::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
                       std::size_t column) {
   const Column& what = ensemble.columns[column];
   if (what.is_share)
@@ -218,12 +218,12 @@ post::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
   if (all.size() < 2)
     return {};
   const std::vector<double> boundaries = bin_boundaries(all);
-  post::Chart chart;
+  draw::Chart chart;
   chart.x_label = with_unit(what.label, what.unit);
   for (const std::size_t g : drawn_groups(with_values)) {
     const auto values = finite_sample(ensemble, g, column);
     const Summary& summary = analysis.groups[g].columns[column].summary;
-    post::ChartPanel panel{"runs", {bars(values, boundaries)}};
+    draw::ChartPanel panel{"runs", {bars(values, boundaries)}};
     panel.lines.front().legend = ensemble.name_of(ensemble.groups[g]);
     panel.lines.push_back(
         mark(fmt::format("median {:.4g}", summary.median.value), summary.median.value));
@@ -232,12 +232,12 @@ post::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
   return chart;
 }
 
-post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis,
+draw::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis,
                               std::size_t column) {
   if (analysis.axis.empty())
     return {};
   const Column& what = ensemble.columns[column];
-  post::ChartLine line = points(analysis);
+  draw::ChartLine line = points(analysis);
   for (const std::size_t g : by_parameter(analysis)) {
     const ColumnStatistics& found = analysis.groups[g].columns[column];
     line.y.push_back(found.summary.mean);
@@ -255,12 +255,12 @@ post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis
                                        : with_unit("mean", what.unit));
 }
 
-post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
+draw::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
                         std::size_t column) {
   const Column& what = ensemble.columns[column];
   if (analysis.axis.empty() || what.is_share)
     return {};
-  post::ChartLine line = points(analysis);
+  draw::ChartLine line = points(analysis);
   std::string reference;
   for (const std::size_t g : by_parameter(analysis)) {
     const auto& from = analysis.groups[g].differences;
@@ -282,7 +282,7 @@ post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
 
 std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& analysis) {
   std::vector<NamedChart> charts;
-  const auto add = [&](const std::string& name, post::Chart chart) {
+  const auto add = [&](const std::string& name, draw::Chart chart) {
     if (!chart.panels.empty())
       charts.push_back({file_name(name), std::move(chart)});
   };
@@ -293,7 +293,7 @@ std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& ana
     add("mean-" + name, against_parameter(ensemble, analysis, c));
     add("difference-" + name, differences(ensemble, analysis, c));
     for (const Sensitivity& one : analysis.sensitivities)
-      if (post::DotChart chart = index_chart(ensemble, one, c); !chart.names.empty())
+      if (draw::DotChart chart = index_chart(ensemble, one, c); !chart.names.empty())
         charts.push_back({file_name("sobol-" + name + group_suffix(ensemble, one)),
                           std::move(chart)});
   }

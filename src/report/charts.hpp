@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "post/dot_chart.hpp"
-#include "post/line_chart.hpp"
+#include "draw/chart/dot_chart.hpp"
+#include "draw/chart/line_chart.hpp"
 #include "report/analysis.hpp"
 #include "report/ensemble.hpp"
 
@@ -14,26 +14,26 @@ namespace blocks::report {
 
 /// Returns the median and the band of the profiles of the groups; empty if there is no
 /// profile. At most most_groups_drawn groups are drawn.
-post::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis);
+draw::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis);
 
 /// Returns the histogram of a measure, one panel for each group; empty if it has fewer
 /// than two values, or for a share.
-post::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
+draw::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
                       std::size_t column);
 
 /// Returns the means of a measure against the numbers of the parameter that varies,
 /// with their intervals; empty if there is no such parameter.
-post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis,
+draw::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis,
                               std::size_t column);
 
 /// Returns the paired differences from the first value of the parameter, with their
 /// intervals; empty if there are none.
-post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
+draw::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
                         std::size_t column);
 
 /// Returns the Sobol indices of a measure in one of analysis.sensitivities; without
 /// rows if none is a number.
-post::DotChart index_chart(const Ensemble& ensemble, const Sensitivity& sensitivity,
+draw::DotChart index_chart(const Ensemble& ensemble, const Sensitivity& sensitivity,
                            std::size_t column);
 
 /// The most groups in one figure of profiles or histograms.
@@ -47,7 +47,7 @@ std::vector<double> bin_boundaries(std::vector<double> values);
 /// A chart with the name of its file, such as "histogram-dy-min".
 struct NamedChart {
   std::string name;
-  std::variant<post::Chart, post::DotChart> chart;
+  std::variant<draw::Chart, draw::DotChart> chart;
 };
 
 /// Returns all charts of the report that have something to show. Characters of

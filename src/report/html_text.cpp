@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "post/units.hpp"
+#include "draw/number_text.hpp"
 
 namespace blocks::report {
 namespace {
@@ -25,7 +25,7 @@ std::string with_power(const std::string& text) {
   const auto e = text.find('e');
   return e == std::string::npos ? with_minus(text)
                                 : with_minus(text.substr(0, e)) + "×10" +
-                                      post::superscript(std::stoi(text.substr(e + 1)));
+                                      draw::superscript(std::stoi(text.substr(e + 1)));
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ std::string mean_text(double mean, const Interval& interval) {
         std::clamp(static_cast<int>(1 - std::floor(std::log10(half / unit))), 0, 6);
     return with_minus(fmt::format("({:.{}f} ± {:.{}f})", mean / unit, decimals,
                                   half / unit, decimals)) +
-           "×10" + post::superscript(static_cast<int>(power));
+           "×10" + draw::superscript(static_cast<int>(power));
   }
   const int decimals =
       std::clamp(static_cast<int>(1 - std::floor(std::log10(half))), 0, 9);

@@ -5,10 +5,10 @@
 
 namespace blocks::report {
 
-post::DotChart index_chart(const Ensemble& ensemble, const Sensitivity& sensitivity,
+draw::DotChart index_chart(const Ensemble& ensemble, const Sensitivity& sensitivity,
                            std::size_t column) {
-  post::DotSeries first{"first order, 95 % interval (bootstrap)", {}, {}, {}};
-  post::DotSeries total{"total, 95 % interval (bootstrap)", {}, {}, {}};
+  draw::DotSeries first{"first order, 95 % interval (bootstrap)", {}, {}, {}};
+  draw::DotSeries total{"total, 95 % interval (bootstrap)", {}, {}, {}};
   bool any = false;
   for (const SobolIndex& one : sensitivity.quantities[column].parameters) {
     any = any || std::isfinite(one.first) || std::isfinite(one.total);

@@ -21,9 +21,9 @@ std::string run_name(const RunRow& row) {
 constexpr const char* whole = "240mm";  ///< width of a figure
 
 /// Returns a chart as SVG; empty if it has nothing to show.
-std::string svg(const post::Chart& chart, const char* width) {
+std::string svg(const draw::Chart& chart, const char* width) {
   return chart.panels.empty() ? std::string()
-                              : post::chart_svg(chart, post::PageSize::in_print(width));
+                              : draw::chart_svg(chart, draw::PageSize::in_print(width));
 }
 
 }  // namespace

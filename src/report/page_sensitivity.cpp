@@ -33,8 +33,8 @@ void PageWriter::sensitivities() {
       text_ += "<h3>" + escaped(all_.name_of(all_.groups[one.group])) + "</h3>\n";
     text_ += "<div class=\"pair\">\n";
     for (std::size_t c = 0; c < all_.columns.size(); ++c)
-      if (const post::DotChart chart = index_chart(all_, one, c); !chart.names.empty())
-        figure(post::chart_svg(chart, post::PageSize::in_print(half_width)),
+      if (const draw::DotChart chart = index_chart(all_, one, c); !chart.names.empty())
+        figure(draw::chart_svg(chart, draw::PageSize::in_print(half_width)),
                column_caption(c) + ". " + rows_words(one.quantities[c]) + ".", true);
     text_ += "</div>\n";
     for (std::size_t c = 0; c < all_.columns.size(); ++c)

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "post/figure.hpp"
+#include "post/figure/figure.hpp"
 #include "report/html_text.hpp"
 
 namespace blocks::report {
@@ -11,7 +11,7 @@ namespace {
 /// Blocks of one picture that is drawn as lines; a larger model is an image.
 constexpr int most_drawn_blocks = 5000;
 
-post::PageSize whole_width() { return post::PageSize::in_print("240mm"); }
+draw::PageSize whole_width() { return draw::PageSize::in_print("240mm"); }
 
 /// Returns the number of blocks, or how it grows: "12 to 15 blocks".
 std::string blocks_text(const post::ResultsReader& results) {

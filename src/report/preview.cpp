@@ -8,7 +8,7 @@
 
 #include "deck/parser.hpp"
 #include "output/results.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "report/outcome_values.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "post/units.hpp"
+#include "post/read/units.hpp"
 #include "report/members.hpp"
 
 namespace blocks::report {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "output/results.hpp"
-#include "post/history.hpp"
+#include "post/chart/history.hpp"
 #include "report/name_list.hpp"
 #include "report/outcome_labels.hpp"
 #include "report/outcome_values.hpp"

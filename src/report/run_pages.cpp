@@ -10,7 +10,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
-#include "post/view_page.hpp"
+#include "post/page/view_page.hpp"
 #include "report/html_text.hpp"
 #include "report/page_style.hpp"
 #include "report/pictures.hpp"

@@ -7,10 +7,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "post/crack_tracker.hpp"
-#include "post/history.hpp"
-#include "post/quantity.hpp"
-#include "post/units.hpp"
+#include "post/chart/history.hpp"
+#include "post/read/crack_tracker.hpp"
+#include "post/read/quantity.hpp"
+#include "post/read/units.hpp"
 #include "report/statistics.hpp"
 
 namespace blocks::report {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "post/profile.hpp"
-#include "post/results_reader.hpp"
+#include "post/chart/profile.hpp"
+#include "post/read/results_reader.hpp"
 #include "quantities/dimension.hpp"
 #include "report/measure.hpp"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "post/units.hpp"
+#include "post/read/units.hpp"
 #include "report/tables.hpp"
 
 namespace blocks::report {

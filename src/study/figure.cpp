@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "post/colour_map.hpp"
-#include "post/page_file.hpp"
+#include "draw/colour_map.hpp"
+#include "draw/page_file.hpp"
 
 namespace blocks::study {
 namespace {
 
-using post::Colour;
+using draw::Colour;
 
 constexpr Colour ink{0.16, 0.16, 0.18}, faint{0.62, 0.62, 0.64},
     paper{0.992, 0.99, 0.984};
@@ -211,7 +211,7 @@ void draw_studies(const std::string& path, const std::vector<Study>& studies) {
   const double width = across == 1 ? 900 : 400 * static_cast<double>(across);
   const double height =
       top + Sheet::panel_height(studies) * static_cast<double>(down) + 8;
-  post::write_page(path, width, height,
+  draw::write_page(path, width, height,
                    [&](cairo_t* pen) { Sheet(pen, width).draw(studies); });
 }
 

@@ -8,7 +8,7 @@
 
 #include "memory_file.hpp"
 #include "output/results.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace blocks;

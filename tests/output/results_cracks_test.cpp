@@ -8,7 +8,7 @@
 #include "output/hdf5_handle.hpp"
 #include "output/listing.hpp"
 #include "output/summary.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "sample_model.hpp"
 
 namespace blocks::output {

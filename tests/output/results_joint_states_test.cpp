@@ -5,7 +5,7 @@
 
 #include "output/hdf5_handle.hpp"
 #include "output/listing.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "sample_model.hpp"
 
 namespace blocks::output {

@@ -14,7 +14,7 @@
 #include "output/file_access_guard.hpp"
 #include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "sample_model.hpp"
 
 namespace blocks::output {

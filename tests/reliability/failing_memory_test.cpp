@@ -7,7 +7,7 @@
 
 #include "output/checkpoint.hpp"
 #include "output/results.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 #include "sanitized.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "output/checkpoint.hpp"
 #include "output/results.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "output/checkpoint.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 #include "run/stored.hpp"
 

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "output/results.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <regex>
 
-#include "post/line_chart.hpp"
+#include "draw/chart/line_chart.hpp"
 #include "report/html_text.hpp"
 #include "report/page_style.hpp"
 
@@ -66,11 +66,11 @@ TEST(HtmlText, WordsOfTheUserAreNotMarkup) {
 }
 
 TEST(Chart, BarsAreCountedInWholeNumbers) {
-  post::ChartLine bars{"", {1.0, 2.0}, {2.0, 3.0}};
-  bars.form = post::ChartLine::Form::bars;
+  draw::ChartLine bars{"", {1.0, 2.0}, {2.0, 3.0}};
+  bars.form = draw::ChartLine::Form::bars;
   bars.bar = 1.0;
-  const post::Chart chart{"", "", "x", {{"runs", {bars}}}};
-  const std::string svg = post::chart_svg(chart, post::PageSize::in_print("118mm"));
+  const draw::Chart chart{"", "", "x", {{"runs", {bars}}}};
+  const std::string svg = draw::chart_svg(chart, draw::PageSize::in_print("118mm"));
   EXPECT_THAT(svg, HasSubstr(">runs</text>"));
   for (const char* tick : {">0</text>", ">1</text>", ">2</text>", ">3</text>"})
     EXPECT_THAT(svg, HasSubstr(tick));
@@ -89,11 +89,11 @@ TEST(HtmlText, PicturesHaveTheirOwnIdentifiers) {
 
 TEST(Chart, LegendThatIsTooLongForTheSideIsAboveThePanel) {
   const auto svg = [](const std::string& legend, const std::string& width) {
-    post::ChartLine points{legend, {0.2, 0.3}, {0.1, 0.5}, {0.0, 0.3}, {0.3, 0.7}};
-    points.form = post::ChartLine::Form::intervals;
+    draw::ChartLine points{legend, {0.2, 0.3}, {0.1, 0.5}, {0.0, 0.3}, {0.3, 0.7}};
+    points.form = draw::ChartLine::Form::intervals;
     points.band_legend = "95 % interval (Wilson)";
-    const post::Chart chart{"", "", "x", {{"share of runs", {points}}}};
-    return post::chart_svg(chart, post::PageSize::in_print(width));
+    const draw::Chart chart{"", "", "x", {{"share of runs", {points}}}};
+    return draw::chart_svg(chart, draw::PageSize::in_print(width));
   };
   const std::string words = "largest overlap, largest over time above 0.0002 L";
   for (const char* width : {"85mm", "175mm"}) {
@@ -116,11 +116,11 @@ TEST(Chart, AgainstAParameterNamesItsAxes) {
     column.interval = {share - 0.2, share + 0.2};
     analysis.groups.emplace_back().columns = {column};
   }
-  post::Chart chart = against_parameter(ensemble, analysis, 0);
+  draw::Chart chart = against_parameter(ensemble, analysis, 0);
   ASSERT_EQ(chart.panels.size(), 1U);
   EXPECT_EQ(chart.x_label, "coefficient of friction (FRICTN.fric)");
   EXPECT_EQ(chart.panels[0].y_label, "share of runs");
-  const post::ChartLine& points = chart.panels[0].lines.at(0);
+  const draw::ChartLine& points = chart.panels[0].lines.at(0);
   EXPECT_EQ(points.legend, "overlap above 0.1");
   EXPECT_EQ(points.band_legend, "95 % interval (Wilson)");
   EXPECT_THAT(points.low, ElementsAre(0.25 - 0.2, 0.5 - 0.2));
@@ -132,9 +132,9 @@ TEST(Chart, AgainstAParameterNamesItsAxes) {
 // all.
 TEST(Chart, AxisInPrintIsAsWideAsItsTickLabels) {
   const auto left_edge = [](double low, double high) {
-    post::Chart chart;
+    draw::Chart chart;
     chart.panels = {{"mean [m]", {{"", {0, 1}, {low, high}}}}};
-    const std::string svg = post::chart_svg(chart, post::PageSize::in_print("118mm"));
+    const std::string svg = draw::chart_svg(chart, draw::PageSize::in_print("118mm"));
     std::smatch tick;
     const std::regex label(R"re(<text x="([0-9.]+)"[^>]*text-anchor="end")re");
     return std::regex_search(svg, tick, label) ? std::stod(tick[1]) : 0.0;

@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "post"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "post/page"))
 from view_pages import with_browser  # noqa: E402
 
 DECK = """START, 60, 4

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {

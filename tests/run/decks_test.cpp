@@ -1,7 +1,7 @@
 // Every shipped deck passes the check and a short run.
 #include <gtest/gtest.h>
 
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {

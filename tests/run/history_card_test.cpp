@@ -8,7 +8,7 @@
 
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
-#include "post/history.hpp"
+#include "post/chart/history.hpp"
 #include "run/program.hpp"
 #include "run/stored.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "output/checkpoint.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 #include "run/run.hpp"
 #include "run/stored.hpp"

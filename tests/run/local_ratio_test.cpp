@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "deck/commands.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/convergence.hpp"
 #include "run/program.hpp"
 #include "run/progress_line.hpp"

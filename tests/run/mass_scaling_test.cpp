@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "output/checkpoint.hpp"
-#include "post/results_reader.hpp"
+#include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 #include "run/stored.hpp"
 

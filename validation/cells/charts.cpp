@@ -7,15 +7,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "post/line_chart.hpp"
+#include "draw/chart/line_chart.hpp"
 #include "validation/cells/figures.hpp"
 
 namespace blocks::validation {
 namespace {
 
-using post::Chart;
-using post::ChartLine;
-using post::ChartPanel;
+using draw::Chart;
+using draw::ChartLine;
+using draw::ChartPanel;
 using std::numbers::pi;
 
 constexpr double percent = 100.0;
@@ -124,7 +124,7 @@ void draw_network_chart(const Study& study, const std::string& path, Chart chart
   for (const Row& row : study.rows)
     if (row.quantity.name == quantity && study.cases[row.index].name.ends_with(kind))
       chart.panels.push_back(network_panel(study, row, index, bar));
-  draw_chart(path, chart, post::PageSize());
+  draw_chart(path, chart, draw::PageSize());
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ void draw_distributions(const Study& study, const std::string& folder) {
                              {2 - pi * pi / 6, quadrangles}),
                   side_panel(study, "Poisson Voronoi cells", "Voronoi: cells [%]", {3},
                              {0.0112400})};
-  draw_chart(folder + "/sides.svg", sides, post::PageSize());
+  draw_chart(folder + "/sides.svg", sides, draw::PageSize());
 
   Chart areas{"Area of a cell", "", "area in units of its exact mean", {}};
   areas.panels = {area_panel(study, "Two NEGEXP sets", "NEGEXP: cells [%]", "exact law",
@@ -146,7 +146,7 @@ void draw_distributions(const Study& study, const std::string& folder) {
                              "exact law", uniform_law),
                   area_panel(study, "Poisson Voronoi cells", "Voronoi: cells [%]",
                              "gamma law, approximate", gamma_law)};
-  draw_chart(folder + "/areas.svg", areas, post::PageSize());
+  draw_chart(folder + "/areas.svg", areas, draw::PageSize());
 
   draw_network_chart(study, folder + "/faces.svg",
                      {"Number of cells in a window",

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "post/page_file.hpp"
-#include "post/pen.hpp"
+#include "draw/page_file.hpp"
+#include "draw/pen.hpp"
 #include "validation/cells/figures.hpp"
 
 namespace blocks::validation {
 namespace {
 
-using post::Colour;
+using draw::Colour;
 
 constexpr Colour grid{0.88, 0.88, 0.88}, band{0.92, 0.95, 0.98};
 constexpr std::array<Colour, seed_sets> colours = {Colour{0.00, 0.36, 0.62},
@@ -24,7 +24,7 @@ constexpr double left = 470, right = 1160;
 class IntervalDrawing {
  public:
   IntervalDrawing(cairo_t* cairo, const Study& study)
-      : cairo_(cairo), pen_(cairo, post::PageSize::on_screen(page)), study_(study) {
+      : cairo_(cairo), pen_(cairo, draw::PageSize::on_screen(page)), study_(study) {
     for (const Row& row : study.rows)
       limit_ = std::max(limit_, study.limit(row, 0));
     most_ = std::ceil(limit_ + 0.5);
@@ -42,33 +42,33 @@ class IntervalDrawing {
 
   void draw() {
     const double bottom = height(study_) - foot;
-    pen_.colour(post::paper);
+    pen_.colour(draw::paper);
     cairo_paint(cairo_);
-    pen_.text("Deviation of each mean from its exact value", 24, 34, 21, post::ink, 0,
+    pen_.text("Deviation of each mean from its exact value", 24, 34, 21, draw::ink, 0,
               1);
     pen_.text(
         "in standard errors, with 95 % intervals; shaded: 95 % of all means; dashed: "
         "limit of the test",
-        24, 60, 15, post::muted, 0, 1);
+        24, 60, 15, draw::muted, 0, 1);
     pen_.colour(band);
     cairo_rectangle(cairo_, x(-1.96), head, x(1.96) - x(-1.96), bottom - head);
     cairo_fill(cairo_);
     for (int z = static_cast<int>(-most_); z <= static_cast<int>(most_); ++z) {
-      line(x(z), head, x(z), bottom, z == 0 ? 1.6 : 1.0, z == 0 ? post::muted : grid);
-      pen_.text(fmt::format("{}", z), x(z), bottom + 11, 14, post::ink, 0.5, 0);
+      line(x(z), head, x(z), bottom, z == 0 ? 1.6 : 1.0, z == 0 ? draw::muted : grid);
+      pen_.text(fmt::format("{}", z), x(z), bottom + 11, 14, draw::ink, 0.5, 0);
     }
     pen_.dashes({6, 4});
     for (const double z : {-limit_, limit_})
-      line(x(z), head, x(z), bottom, 1.6, post::muted);
+      line(x(z), head, x(z), bottom, 1.6, draw::muted);
     pen_.dashes({});
-    pen_.text("z", (left + right) / 2, bottom + 38, 15, post::ink, 0.5, 0);
+    pen_.text("z", (left + right) / 2, bottom + 38, 15, draw::ink, 0.5, 0);
     draw_legend();
     double y = head;
     for (std::size_t i = 0; i < study_.rows.size(); ++i) {
       if (is_first(study_, i)) {
         line(24, y, right, y, 1.0, grid);
         pen_.text(study_.cases[study_.rows[i].index].group, 24,
-                  y + group_height / 2 + 3, 15, post::ink, 0, 0.5);
+                  y + group_height / 2 + 3, 15, draw::ink, 0, 0.5);
         y += group_height;
       }
       draw_row(study_.rows[i], y + row_height / 2);
@@ -101,12 +101,12 @@ class IntervalDrawing {
       const double at = left + 140.0 * static_cast<double>(set);
       line(at, head - 20, at + 26, head - 20, 1.8, colours[set]);
       dot(at + 13, head - 20, set);
-      pen_.text(names[set], at + 34, head - 20, 14, post::ink, 0, 0.5);
+      pen_.text(names[set], at + 34, head - 20, 14, draw::ink, 0, 0.5);
     }
   }
   void draw_row(const Row& row, double y) {
-    pen_.text(row.quantity.name, 44, y, 13.5, post::ink, 0, 0.5, 150);
-    pen_.text(study_.cases[row.index].name, 200, y, 13.5, post::muted, 0, 0.5,
+    pen_.text(row.quantity.name, 44, y, 13.5, draw::ink, 0, 0.5, 150);
+    pen_.text(study_.cases[row.index].name, 200, y, 13.5, draw::muted, 0, 0.5,
               left - 210);
     for (std::size_t set = 0; set < seed_sets; ++set) {
       const Estimate& one = row.estimates[set];
@@ -118,7 +118,7 @@ class IntervalDrawing {
   }
 
   cairo_t* cairo_;
-  post::Pen pen_;
+  draw::Pen pen_;
   const Study& study_;
   double limit_ = 0.0, most_ = 0.0;
 };
@@ -126,7 +126,7 @@ class IntervalDrawing {
 }  // namespace
 
 void draw_intervals(const Study& study, const std::string& path) {
-  post::write_page(path, page, IntervalDrawing::height(study),
+  draw::write_page(path, page, IntervalDrawing::height(study),
                    [&](cairo_t* cairo) { IntervalDrawing(cairo, study).draw(); });
 }
 

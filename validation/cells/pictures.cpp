@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "post/axes.hpp"
-#include "post/page_file.hpp"
-#include "post/pen.hpp"
+#include "draw/axes.hpp"
+#include "draw/page_file.hpp"
+#include "draw/pen.hpp"
 #include "validation/cells/figures.hpp"
 #include "validation/cells/networks.hpp"
 
@@ -16,7 +16,7 @@ namespace blocks::validation {
 namespace {
 
 using namespace geometry;
-using post::Colour;
+using draw::Colour;
 using std::numbers::pi;
 
 /// The classes of a colouring: class k is below limits[k].
@@ -34,7 +34,7 @@ struct Classes {
   }
   Colour colour(std::size_t k) const {
     const double s = static_cast<double>(k) / static_cast<double>(names.size() - 1);
-    return post::colour_map("ylgnbu").at(0.06 + (darkest - 0.06) * s);
+    return draw::colour_map("ylgnbu").at(0.06 + (darkest - 0.06) * s);
   }
 };
 
@@ -70,24 +70,24 @@ constexpr double page = 1200, head = 84, foot = 66, left = 24;
 class NetworkDrawing {
  public:
   NetworkDrawing(cairo_t* cairo, const Picture& picture, const CutResult& result,
-                 const post::Axes& axes)
-      : cairo_(cairo), pen_(cairo, post::PageSize::on_screen(page)), picture_(picture),
+                 const draw::Axes& axes)
+      : cairo_(cairo), pen_(cairo, draw::PageSize::on_screen(page)), picture_(picture),
         result_(result), axes_(axes) {}
 
   void draw() {
-    pen_.colour(post::paper);
+    pen_.colour(draw::paper);
     cairo_paint(cairo_);
-    pen_.text(picture_.title, left, 34, 21, post::ink, 0, 1);
-    pen_.text(picture_.subtitle, left, 62, 15, post::muted, 0, 1, page - 2 * left);
+    pen_.text(picture_.title, left, 34, 21, draw::ink, 0, 1);
+    pen_.text(picture_.subtitle, left, 62, 15, draw::muted, 0, 1, page - 2 * left);
     for (const CutBlock& block : result_.blocks)
       fill(block);
     draw_pruned();
     for (const CutBlock& block : result_.blocks) {
       trace(block.corners);
-      pen_.stroke(1.3, post::ink);
+      pen_.stroke(1.3, draw::ink);
     }
     trace(result_.mesh.outline);
-    pen_.stroke(2.4, post::ink);
+    pen_.stroke(2.4, draw::ink);
     draw_legend();
   }
 
@@ -137,14 +137,14 @@ class NetworkDrawing {
   void draw_legend() {
     const double y = axes_.bottom() + 36;
     double x = left;
-    pen_.text(picture_.classes.title + ":", x, y, 14, post::ink, 0, 0.5);
+    pen_.text(picture_.classes.title + ":", x, y, 14, draw::ink, 0, 0.5);
     x += pen_.width(picture_.classes.title + ":", 14) + 16;
     for (std::size_t k = 0; k < picture_.classes.names.size(); ++k) {
       cairo_rectangle(cairo_, x, y - 8, 22, 16);
       pen_.colour(picture_.classes.colour(k));
       cairo_fill_preserve(cairo_);
-      pen_.stroke(1, post::ink);
-      pen_.text(picture_.classes.names[k], x + 29, y, 14, post::ink, 0, 0.5);
+      pen_.stroke(1, draw::ink);
+      pen_.text(picture_.classes.names[k], x + 29, y, 14, draw::ink, 0, 0.5);
       x += 29 + pen_.width(picture_.classes.names[k], 14) + 18;
     }
     if (result_.report.pruned_edges == 0)
@@ -152,20 +152,20 @@ class NetworkDrawing {
     cairo_move_to(cairo_, x, y);
     cairo_rel_line_to(cairo_, 26, 0);
     pen_.stroke(2, pruned);
-    pen_.text("pruned", x + 33, y, 14, post::ink, 0, 0.5);
+    pen_.text("pruned", x + 33, y, 14, draw::ink, 0, 0.5);
   }
 
   cairo_t* cairo_;
-  post::Pen pen_;
+  draw::Pen pen_;
   const Picture& picture_;
   const CutResult& result_;
-  const post::Axes& axes_;
+  const draw::Axes& axes_;
 };
 
 void draw(const Picture& picture, const std::string& folder) {
   const CutResult result = cut_outline(picture.request);
-  const post::Axes axes({0.0, width, 0.0, height}, left, head, page - 2 * left);
-  post::write_page(
+  const draw::Axes axes({0.0, width, 0.0, height}, left, head, page - 2 * left);
+  draw::write_page(
       folder + "/" + picture.file, page, axes.bottom() + foot,
       [&](cairo_t* cairo) { NetworkDrawing(cairo, picture, result, axes).draw(); });
 }

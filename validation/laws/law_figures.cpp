@@ -8,22 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "post/line_chart.hpp"
+#include "draw/chart/line_chart.hpp"
 #include "validation/laws/one_contact.hpp"
 
 namespace blocks::validation {
 namespace {
 
-using post::Chart;
-using post::ChartLine;
-using post::ChartPanel;
+using draw::Chart;
+using draw::ChartLine;
+using draw::ChartPanel;
 
 constexpr double kN = 1e3;
 
 /// Draws a chart in place of an older one.
 void draw(const std::string& path, const Chart& chart) {
   std::filesystem::remove(path);
-  draw_chart(path, chart, post::PageSize());
+  draw_chart(path, chart, draw::PageSize());
 }
 
 /// What a direct shear test at a constant normal stress records.

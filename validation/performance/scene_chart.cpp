@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "compare_codes.hpp"
-#include "post/axes.hpp"
-#include "post/page_file.hpp"
-#include "post/pen.hpp"
+#include "draw/axes.hpp"
+#include "draw/page_file.hpp"
+#include "draw/pen.hpp"
 #include "scene_table.hpp"
 
 namespace blocks::bench {
 namespace {
 
-using post::Colour;
+using draw::Colour;
 
 constexpr Colour grid{0.88, 0.88, 0.88};
 
@@ -57,8 +57,8 @@ class SceneDrawing {
 
   SceneDrawing(cairo_t* cairo, double width, const Report& report,
                const std::vector<const Row*>& rows)
-      : pen_(cairo, post::PageSize::on_screen(width)), cairo_(cairo), report_(report), rows_(rows),
-        bottom_(head + row_height * static_cast<double>(rows.size())) {
+      : pen_(cairo, draw::PageSize::on_screen(width)), cairo_(cairo), report_(report),
+        rows_(rows), bottom_(head + row_height * static_cast<double>(rows.size())) {
     std::vector<double> costs;
     for (const Row* row : rows)
       costs.push_back(row->cost);
@@ -73,11 +73,11 @@ class SceneDrawing {
   }
 
   void draw() {
-    pen_.colour(post::paper);
+    pen_.colour(draw::paper);
     cairo_paint(cairo_);
-    pen_.text("Cost of a step, by scene and state", 24, 38, 21, post::ink, 0, 1);
+    pen_.text("Cost of a step, by scene and state", 24, 38, 21, draw::ink, 0, 1);
     pen_.text("one step of one block; Box2D: one of the eight iterations of a step", 24,
-              64, 15, post::muted, 0, 1);
+              64, 15, draw::muted, 0, 1);
     draw_panel(bars_left, bars_right, "nanoseconds of a rigid block, one thread");
     draw_panel(marks_left, marks_right,
                "cost over that of the program (left of 1: faster)");
@@ -112,10 +112,10 @@ class SceneDrawing {
 
   void draw_panel(double left, double right, const char* label) {
     cairo_rectangle(cairo_, left, head, right - left, bottom_ - head);
-    pen_.colour(post::white);
+    pen_.colour(draw::white);
     cairo_fill_preserve(cairo_);
     pen_.stroke(1, grid);
-    pen_.text(label, (left + right) / 2, bottom_ + 38, 14, post::ink, 0.5, 0);
+    pen_.text(label, (left + right) / 2, bottom_ + 38, 14, draw::ink, 0.5, 0);
   }
 
   void line(double x0, double y0, double x1, double y1, double width, const Colour& c) {
@@ -125,11 +125,11 @@ class SceneDrawing {
   }
 
   void draw_bar_ticks() {
-    const auto ticks = post::label_ticks(0.0, most_, 5);
+    const auto ticks = draw::label_ticks(0.0, most_, 5);
     for (std::size_t i = 0; i < ticks.ticks.size(); ++i) {
       const double x = bar_x(ticks.ticks[i]);
       line(x, head, x, bottom_, 1, grid);
-      pen_.text(ticks.labels[i], x, bottom_ + 11, 14, post::ink, 0.5, 0);
+      pen_.text(ticks.labels[i], x, bottom_ + 11, 14, draw::ink, 0.5, 0);
     }
   }
 
@@ -140,8 +140,8 @@ class SceneDrawing {
         continue;
       const double x = mark_x(ratio);
       line(x, head, x, bottom_, ratio == 1.0 ? 1.6 : 1,
-           ratio == 1.0 ? post::muted : grid);
-      pen_.text(fmt::format("{:g}", ratio), x, bottom_ + 11, 14, post::ink, 0.5, 0);
+           ratio == 1.0 ? draw::muted : grid);
+      pen_.text(fmt::format("{:g}", ratio), x, bottom_ + 11, 14, draw::ink, 0.5, 0);
     }
   }
 
@@ -152,13 +152,13 @@ class SceneDrawing {
       cairo_rectangle(cairo_, x, y - 6, 12, 12);
       pen_.colour(phase.colour);
       cairo_fill(cairo_);
-      pen_.text(phase.name, x + 18, y, 13, post::ink, 0, 0.5);
+      pen_.text(phase.name, x + 18, y, 13, draw::ink, 0, 0.5);
       x += 94;
     }
     x = marks_left;
     for (const Other& other : others) {
       draw_mark(other, x + 6, y);
-      pen_.text(other.legend, x + 18, y, 13, post::ink, 0, 0.5);
+      pen_.text(other.legend, x + 18, y, 13, draw::ink, 0, 0.5);
       x += 108;
     }
   }
@@ -174,7 +174,7 @@ class SceneDrawing {
     cairo_close_path(cairo_);
     pen_.colour(other.colour);
     cairo_fill_preserve(cairo_);
-    pen_.stroke(1, post::white);
+    pen_.stroke(1, draw::white);
   }
 
   void draw_row(const Row& row, double y) {
@@ -182,9 +182,9 @@ class SceneDrawing {
     if (first && &row != rows_.front())
       line(24, y - row_height / 2, marks_right, y - row_height / 2, 1, grid);
     if (first)
-      pen_.text(row.scene, 24, y, 14, post::ink, 0, 0.5, 220);
+      pen_.text(row.scene, 24, y, 14, draw::ink, 0, 0.5, 220);
     scene_ = row.scene;
-    pen_.text(row.state, bars_left - 12, y, 14, post::muted, 1, 0.5, 76);
+    pen_.text(row.state, bars_left - 12, y, 14, draw::muted, 1, 0.5, 76);
     draw_bar(row, y);
     double at = y - 9;  // Ranges of different codes must not cover each other.
     for (const Other& other : others) {
@@ -209,14 +209,14 @@ class SceneDrawing {
     }
     const std::string time = short_number(row.cost);
     if (from <= most_) {
-      pen_.text(time, bar_x(from) + 6, y, 13, post::ink, 0, 0.5);
+      pen_.text(time, bar_x(from) + 6, y, 13, draw::ink, 0, 0.5);
       return;
     }
-    line(bars_right - 66, y + 14, bars_right - 56, y - 14, 6, post::white);
-    pen_.text(time, bars_right - 8, y, 13, post::white, 1, 0.5);
+    line(bars_right - 66, y + 14, bars_right - 56, y - 14, 6, draw::white);
+    pen_.text(time, bars_right - 8, y, 13, draw::white, 1, 0.5);
   }
 
-  post::Pen pen_;
+  draw::Pen pen_;
   cairo_t* cairo_;
   const Report& report_;
   const std::vector<const Row*>& rows_;
@@ -237,7 +237,7 @@ bool draw_scenes(const Report& report, const std::string& path) {
     return false;
   constexpr double width = 1200;
   const double height = SceneDrawing::height(rows.size()) * width / SceneDrawing::page;
-  post::write_page(path, width, height, [&](cairo_t* cairo) {
+  draw::write_page(path, width, height, [&](cairo_t* cairo) {
     SceneDrawing(cairo, width, report, rows).draw();
   });
   return true;

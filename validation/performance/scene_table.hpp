@@ -14,7 +14,7 @@ std::string heading_of_scenes();
 std::string rows_of_scenes(const Report& report, const std::string& part);
 
 /// Draws the rows of all parts: the phases of a step as bars, ratios of codes as marks.
-/// Returns false if there are none. Throws what post::write_page throws.
+/// Returns false if there are none. Throws what draw::write_page throws.
 bool draw_scenes(const Report& report, const std::string& path);
 
 }  // namespace blocks::bench

@@ -1,0 +1,415 @@
+#include "post/figure/scene_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/figure/arrows.hpp"
+#include "post/figure/bond_sides.hpp"
+#include "post/figure/crack_faces.hpp"
+#include "post/figure/face_sides.hpp"
+#include "post/figure/joint_sides.hpp"
+#include "post/read/families.hpp"
+#include "post/read/force_network.hpp"
+#include "post/read/quantity.hpp"
+
+namespace blocks::post {
+
+using namespace draw;
+
+namespace {
+
+using Outline = std::vector<Eigen::Vector2d>;
+
+/// Draws one picture, and stores the data that its parts share.
+class SceneDrawing {
+ public:
+  SceneDrawing(Pen& pen, const Axes& axes, const Picture& picture,
+               const FigureScales& scales, const FigureOptions& options)
+      : pen_(pen), cairo_(pen.cairo()), axes_(axes), now_(picture.now),
+        picture_(picture), scales_(scales), options_(options) {
+    if (!options.shows_quantity())
+      return;
+    shown_ = quantity(options.colour, now_, picture.first, picture.contacts);
+    if (options.mirror)
+      in_mirror_ = in_mirror(options.colour, shown_.values, options.mirror_x);
+  }
+
+  void draw() {
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, axes_.left, axes_.top, axes_.width, axes_.height);
+    pen_.colour(white);
+    cairo_fill_preserve(cairo_);
+    cairo_clip(cairo_);
+    for (const bool mirrored : {true, false}) {
+      if (mirrored && !options_.mirror)
+        continue;
+      mirrored_ = mirrored;
+      const auto plane = mirrored ? std::optional(options_.mirror_x) : std::nullopt;
+      if (options_.original)
+        original();
+      for (std::size_t b = 0; b < now_.outlines.size(); ++b)
+        if (in_view(now_.outlines[b]))
+          block(b);
+      if (options_.shows_joints())
+        draw_joint_sides(pen_, axes_, now_, scales_, plane);
+      if (options_.shows_bonds())
+        draw_bond_sides(pen_, axes_, picture_, scales_, plane);
+      if (options_.shows_faces())
+        draw_face_sides(pen_, axes_, picture_, scales_, options_, plane);
+      if (options_.shows_cracks() && picture_.cracked != nullptr)
+        draw_crack_faces(pen_, axes_, now_, *picture_.cracked, scales_, plane);
+      if (options_.forces)
+        forces();
+      if (!options_.arrows.empty())
+        draw_arrows(pen_, axes_, picture_, scales_, options_, plane);
+      if (!mirrored)
+        numbers();
+    }
+    for (const bool mirrored : {true, false})
+      if (!mirrored || options_.mirror) {
+        mirrored_ = mirrored;
+        water_table();
+      }
+    if (options_.mirror)
+      centre_line();
+    else
+      planes();
+    marks();
+    cairo_restore(cairo_);
+  }
+
+ private:
+  double page_x(double x) const {
+    return axes_.x(mirrored_ ? 2.0 * options_.mirror_x - x : x);
+  }
+  void path(const Outline& outline) {
+    for (const Eigen::Vector2d& p : outline)
+      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    cairo_close_path(cairo_);
+  }
+  bool in_view(const Outline& outline) const {
+    double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
+    for (const Eigen::Vector2d& p : outline) {
+      const double x = page_x(p.x()), y = axes_.y(p.y());
+      x0 = std::min(x0, x), x1 = std::max(x1, x);
+      y0 = std::min(y0, y), y1 = std::max(y1, y);
+    }
+    return x1 >= axes_.left && x0 <= axes_.right() && y1 >= axes_.top &&
+           y0 <= axes_.bottom();
+  }
+  /// Returns the smaller side of the bounding box of a block on the page.
+  double size_on_page(const Outline& outline) const {
+    Eigen::Vector2d low = outline.front(), high = outline.front();
+    for (const Eigen::Vector2d& p : outline) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    return (high - low).minCoeff() * axes_.scale();
+  }
+
+  /// Returns the fill colour of a block; material colours are pale under a network of
+  /// forces and between joints.
+  Colour fill_of(std::size_t b) const {
+    if (!options_.shows_quantity())
+      return colour_of_material(now_.material[b], options_);
+    const double value =
+        (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
+    const ValueRange& range = scales_.colours;
+    return map_of(options_, shown_.zero, range).at(range.place(value));
+  }
+
+  void block(std::size_t b) {
+    const Colour fill = fill_of(b);
+    path(now_.outlines[b]);
+    pen_.colour(fill);
+    cairo_fill_preserve(cairo_);
+    if (now_.fixed[b] != 0)
+      hatch(pen_, fill);
+    if (options_.shows_sides()) {  // the sides are drawn on top
+      cairo_new_path(cairo_);
+      return;
+    }
+    const double width = std::clamp(0.03 * size_on_page(now_.outlines[b]), 0.25, 1.1);
+    pen_.stroke(width, outline_on(fill, options_.forces), 0.9);
+  }
+
+  void original() {
+    pen_.dashes({4, 3});
+    for (const Outline& outline : picture_.original_frame().outlines)
+      if (in_view(outline)) {
+        path(outline);
+        pen_.stroke(0.7, faint);
+      }
+    pen_.dashes({});
+  }
+
+  /// Draws a line from centroid to centroid through the contact for each pair of
+  /// touching blocks; its width is proportional to the force. A rim, dark beside a pale
+  /// line and white beside a dark one, shows it on blocks of any colour.
+  void forces() {
+    if (!(scales_.force > 0.0))
+      return;
+    const double full = std::clamp(0.3 * scales_.block_size * axes_.scale(), 2.5, 14.0);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+    const auto links = force_network(picture_.contacts);
+    for (const bool rim : {true, false})
+      force_lines(links, full, rim);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
+  }
+
+  void force_lines(const std::vector<ForceLink>& links, double full, bool rim) {
+    for (const ForceLink& link : links) {
+      const double part = link.force.norm() / scales_.force;
+      const double width = full * std::min(part, 1.5);
+      if (width < 0.15)
+        continue;
+      for (const int b : {link.first, link.second}) {
+        if (b < 0 || b >= now_.size() || now_.fixed[static_cast<std::size_t>(b)] != 0)
+          continue;
+        cairo_move_to(cairo_, page_x(link.point.x()), axes_.y(link.point.y()));
+        cairo_line_to(cairo_, page_x(now_.centroid(0, b)),
+                      axes_.y(now_.centroid(1, b)));
+      }
+      const Colour line = intensity(part);
+      if (rim)
+        pen_.stroke(width + std::min(1.4, 0.3 + 0.7 * width), rim_of_line(line));
+      else
+        pen_.stroke(width, line);
+    }
+  }
+
+  void numbers() {
+    for (std::size_t b = 0; b < now_.outlines.size(); ++b) {
+      const Outline& outline = now_.outlines[b];
+      if (!(options_.numbers || options_.corners) || !in_view(outline))
+        continue;
+      const double size = size_on_page(outline);
+      const auto at = static_cast<Eigen::Index>(b);
+      const double x = page_x(now_.centroid(0, at)), y = axes_.y(now_.centroid(1, at));
+      const Colour ground = fill_of(b), letters = is_dark(ground) ? white : ink;
+      const bool fits = size > 1.3 * options_.page.least_text;
+      if (options_.numbers && fits)
+        pen_.label(std::to_string(now_.number[b]), x, y,
+                   std::clamp(0.42 * size, 5.0, 16.0), letters, ground);
+      if (options_.corners && size > 3.0 * options_.page.least_text)
+        corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters, ground);
+    }
+  }
+
+  /// Draws the corner numbers inside the block, on the bisectors of its corners.
+  void corner_numbers(const Outline& outline, double letter, const Colour& c,
+                      const Colour& ground) {
+    const std::size_t n = outline.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Eigen::Vector2d& at = outline[i];
+      const Eigen::Vector2d inwards = (outline[(i + 1) % n] - at).normalized() +
+                                      (outline[(i + n - 1) % n] - at).normalized();
+      const Eigen::Vector2d step = 1.2 * letter * inwards.normalized();
+      pen_.label(std::to_string(i + 1),
+                 page_x(at.x()) + (mirrored_ ? -1 : 1) * step.x(),
+                 axes_.y(at.y()) - step.y(), letter, c, ground);
+    }
+  }
+
+  /// Draws a frame inside the current path, which is that of the outline.
+  void frame_inside(const Outline& outline, const Colour& c) {
+    constexpr double widest = 2.0, share_of_block = 0.2;
+    const double width = std::min(widest, share_of_block * size_on_page(outline));
+    cairo_save(cairo_);
+    cairo_clip_preserve(cairo_);
+    pen_.stroke(2.0 * width, c);  // the outer half is clipped
+    cairo_restore(cairo_);
+  }
+
+  /// Draws a frame inside the blocks of a mark, which keep the colour of their
+  /// material. Fills the area where two of them overlap, and draws a ring around the
+  /// place.
+  void marks() {
+    for (const Mark& mark : options_.marks) {
+      const Colour c = mark_colour(mark.kind);
+      cairo_save(cairo_);
+      for (const int b : mark.blocks) {
+        const Outline& outline = now_.outlines[static_cast<std::size_t>(b)];
+        path(outline);
+        if (mark.kind == Mark::Kind::overlap)
+          cairo_clip(cairo_);  // successive clips leave the common area
+        else
+          frame_inside(outline, c);
+      }
+      if (mark.kind == Mark::Kind::overlap) {
+        pen_.colour(c, 0.85);
+        cairo_paint(cairo_);
+      }
+      cairo_restore(cairo_);
+    }
+    for (const Mark& mark : options_.marks) {
+      const Colour c = mark_colour(mark.kind);
+      const double x = page_x(mark.place.x()), y = axes_.y(mark.place.y());
+      trace_mark(cairo_, mark.kind, x, y, 9);
+      cairo_path_t* ring = cairo_copy_path(cairo_);
+      pen_.stroke(4.5, paper, 0.9);
+      cairo_append_path(cairo_, ring);
+      cairo_path_destroy(ring);
+      pen_.stroke(2.2, c);
+      if (!mark.label.empty())
+        pen_.tag(mark.label, x + 16, y - 14, c);
+    }
+  }
+
+  void planes() {
+    const double reach = axes_.width + axes_.height;
+    for (const PlaneLine& plane : options_.planes) {
+      const Eigen::Vector2d middle(axes_.left + 0.5 * axes_.width,
+                                   axes_.top + 0.5 * axes_.height);
+      const Eigen::Vector2d a(axes_.x(plane.a.x()), axes_.y(plane.a.y()));
+      const Eigen::Vector2d b(axes_.x(plane.b.x()), axes_.y(plane.b.y()));
+      const Eigen::Vector2d along = (b - a).normalized();
+      const Eigen::Vector2d nearest = a + along.dot(middle - a) * along;
+      draw_plane(pen_, nearest - reach * along, nearest + reach * along);
+    }
+  }
+
+  /// Returns the water table; of a picture with a mirror, what is on the side of the
+  /// model.
+  Outline table_of_model() const {
+    Outline line;
+    if (!options_.mirror)
+      return now_.water_line;
+    double sum = 0.0;  // tells on which side the model is
+    for (const Outline& outline : now_.outlines)
+      for (const Eigen::Vector2d& p : outline)
+        sum += p.x() - options_.mirror_x;
+    const auto is_here = [&](const Eigen::Vector2d& p) {
+      return (p.x() - options_.mirror_x) * sum >= 0.0;
+    };
+    for (std::size_t k = 0; k < now_.water_line.size(); ++k) {
+      const Eigen::Vector2d& p = now_.water_line[k];
+      if (k > 0 && is_here(p) != is_here(now_.water_line[k - 1])) {
+        const Eigen::Vector2d& q = now_.water_line[k - 1];
+        line.emplace_back(q + (options_.mirror_x - q.x()) / (p.x() - q.x()) * (p - q));
+      }
+      if (is_here(p))
+        line.push_back(p);
+    }
+    return line;
+  }
+  /// Draws the water table, with its sign at a twentieth of the width of the picture. A
+  /// table that does not pass there has no sign.
+  void water_table() {
+    const Outline line = table_of_model();
+    if (line.size() < 2)
+      return;
+    for (const Eigen::Vector2d& p : line)
+      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    pen_.stroke(3.2, paper, 0.8);
+    for (const Eigen::Vector2d& p : line)
+      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    pen_.stroke(1.6, water_colour);
+    constexpr double part = 0.05;
+    const double x = axes_.left + part * axes_.width;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const double x0 = page_x(line[k].x()), x1 = page_x(line[k + 1].x());
+      if (!(std::min(x0, x1) <= x && x < std::max(x0, x1)))
+        continue;
+      const double y0 = axes_.y(line[k].y()), y1 = axes_.y(line[k + 1].y());
+      draw_water_sign(pen_, x, y0 + (x - x0) / (x1 - x0) * (y1 - y0));
+    }
+  }
+
+  void centre_line() {
+    pen_.dashes({14, 4, 3, 4});
+    cairo_move_to(cairo_, axes_.x(options_.mirror_x), axes_.top);
+    cairo_line_to(cairo_, axes_.x(options_.mirror_x), axes_.bottom());
+    pen_.stroke(1.2, ink, 0.8);
+    pen_.dashes({});
+  }
+
+  Pen& pen_;
+  cairo_t* cairo_;
+  const Axes& axes_;
+  const Frame& now_;
+  const Picture& picture_;
+  const FigureScales& scales_;
+  const FigureOptions& options_;
+  Quantity shown_;
+  Eigen::VectorXd in_mirror_;  ///< the values of the mirrored half
+  bool mirrored_ = false;
+};
+
+}  // namespace
+
+void draw_water_sign(Pen& pen, double x, double y) {
+  constexpr double half = 6.0, high = 10.0;
+  cairo_t* cairo = pen.cairo();
+  cairo_move_to(cairo, x, y);
+  cairo_line_to(cairo, x - half, y - high);
+  cairo_line_to(cairo, x + half, y - high);
+  cairo_close_path(cairo);
+  pen.colour(paper);
+  cairo_fill_preserve(cairo);
+  pen.stroke(1.4, water_colour);
+  for (const auto& [wide, down] : {std::pair{5.0, 4.0}, {2.5, 7.0}}) {
+    cairo_move_to(cairo, x - wide, y + down);
+    cairo_line_to(cairo, x + wide, y + down);
+    pen.stroke(1.2, water_colour);
+  }
+}
+
+void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
+                const FigureScales& scales, const FigureOptions& options) {
+  SceneDrawing(pen, axes, picture, scales, options).draw();
+}
+
+void hatch(Pen& pen, const Colour& ground) {
+  cairo_t* cairo = pen.cairo();
+  double x0, y0, x1, y1, left, top, right, bottom;
+  cairo_path_extents(cairo, &x0, &y0, &x1, &y1);
+  cairo_clip_extents(cairo, &left, &top, &right, &bottom);
+  cairo_path_t* outline = cairo_copy_path(cairo);
+  cairo_save(cairo);
+  cairo_clip(cairo);
+  constexpr double gap = 9.0;
+  // Limit the hatching to the page, for blocks much larger than it.
+  x0 = std::max(x0, left), x1 = std::min(x1, right);
+  y0 = std::max(y0, top), y1 = std::min(y1, bottom);
+  for (double x = std::floor((x0 - (y1 - y0)) / gap) * gap; x < x1; x += gap) {
+    cairo_move_to(cairo, x, y1);
+    cairo_line_to(cairo, x + (y1 - y0), y0);
+  }
+  const bool dark = is_dark(ground);
+  pen.stroke(1.0, dark ? white : Colour{0.1, 0.1, 0.1}, dark ? 0.45 : 0.35);
+  cairo_restore(cairo);
+  cairo_append_path(cairo, outline);
+  cairo_path_destroy(outline);
+}
+
+void draw_plane(Pen& pen, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  constexpr double gap = 9.0, stroke = 6.0;
+  cairo_t* const cairo = pen.cairo();
+  const double length = (to - from).norm();
+  const Eigen::Vector2d along = (to - from) / length;
+  // On a page, y points downwards.
+  const Eigen::Vector2d slanted =
+      stroke * (Eigen::Vector2d(-along.y(), along.x()) - along);
+  cairo_move_to(cairo, from.x(), from.y());
+  cairo_line_to(cairo, to.x(), to.y());
+  pen.stroke(1.4, ink);
+  for (double at = gap; at <= length; at += gap) {
+    const Eigen::Vector2d foot = from + at * along;
+    cairo_move_to(cairo, foot.x(), foot.y());
+    cairo_rel_line_to(cairo, slanted.x(), slanted.y());
+  }
+  pen.stroke(0.8, ink);
+}
+
+Colour colour_of_material(int material, const FigureOptions& options) {
+  const auto chosen = options.material_colours.find(material);
+  const Colour own = options.shows_families() && material == 0 ? whole_colour
+                     : chosen == options.material_colours.end()
+                         ? material_colour(material)
+                         : chosen->second;
+  const bool below_lines = options.forces || options.shows_sides();
+  return below_lines ? mix(own, white, 0.3) : own;
+}
+
+}  // namespace blocks::post

@@ -1,0 +1,19 @@
+// `blocks view`: writes one self-contained HTML page that plays a run.
+#pragma once
+
+#include <string>
+
+#include "post/page/view_data.hpp"
+
+namespace blocks::post {
+
+/// The texts of page.html, page.css, and of the scripts that scripts.cmake lists, in
+/// src/post/page/view/.
+extern const char* const view_html;
+extern const char* const view_css;
+extern const char* const view_js;
+
+/// Returns the page with style, scripts and data inserted.
+std::string view_page(const ViewData& data);
+
+}  // namespace blocks::post
