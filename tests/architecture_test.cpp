@@ -97,6 +97,14 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "quantities",
                                             "report",
                                             "run",
+                                            "run/builder",
+                                            "run/cutting",
+                                            "run/executor",
+                                            "run/plausibility",
+                                            "run/reports",
+                                            "run/safety",
+                                            "run/support",
+                                            "run/watch",
                                             "study",
                                             "sweep"}));
 }
@@ -186,6 +194,33 @@ TEST(Architecture, FoldersOfPicturesIncludeOnlyAllowedFolders) {
         << include.file << " includes " << include.target;
   }
   EXPECT_GT(headers, 100);
+}
+
+// The folders of a run are in layers: cards become a model without the time loop.
+TEST(Architecture, FoldersOfARunIncludeOnlyAllowedFolders) {
+  const std::map<std::string, std::set<std::string>> may = {
+      {"support", {"support"}},
+      {"reports", {"reports"}},
+      {"watch", {"watch"}},
+      {"safety", {"safety", "watch"}},
+      {"cutting", {"cutting", "support"}},
+      {"plausibility", {"plausibility", "support"}},
+      {"builder", {"builder", "cutting", "plausibility", "support"}},
+      {"executor", {"executor", "builder", "reports", "safety", "support", "watch"}},
+  };
+  int headers = 0;
+  const std::string run = "run/";
+  for (const Include& include : includes()) {
+    if (!include.folder.starts_with(run) || !include.target.starts_with(run))
+      continue;
+    ++headers;
+    const auto rule = may.find(include.folder.substr(run.size()));
+    ASSERT_NE(rule, may.end()) << include.folder;
+    const std::string rest = include.target.substr(run.size());
+    EXPECT_TRUE(rule->second.contains(rest.substr(0, rest.find('/'))))
+        << include.file << " includes " << include.target;
+  }
+  EXPECT_GT(headers, 60);
 }
 
 // The contact rule is a function of blocks and their neighbours. It is independent of

@@ -8,8 +8,8 @@
 #include "deck/cards_text.hpp"
 #include "deck/parser.hpp"
 #include "deck/settable.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks::apps {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "output/check_outputs.hpp"
 #include "post/figure/figure.hpp"
-#include "run/geometry_report.hpp"
+#include "run/reports/geometry_report.hpp"
 
 namespace blocks::apps {
 namespace {

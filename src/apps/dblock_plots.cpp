@@ -11,8 +11,8 @@
 #include "post/figure/figure_scales.hpp"
 #include "post/figure/movie.hpp"
 #include "post/read/material_list.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks::apps {
 namespace {

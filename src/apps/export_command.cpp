@@ -25,7 +25,7 @@
 #include "post/read/results_nearby.hpp"
 #include "post/read/results_reader.hpp"
 #include "quantities/units.hpp"
-#include "run/interrupt.hpp"
+#include "run/support/interrupt.hpp"
 #include "text_file.hpp"
 
 namespace blocks::apps {

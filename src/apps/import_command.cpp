@@ -17,8 +17,8 @@
 #include "exchange/soundness_text.hpp"
 #include "import_map.hpp"
 #include "output/check_outputs.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 #include "text_file.hpp"
 
 namespace blocks::apps {

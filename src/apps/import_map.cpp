@@ -13,8 +13,8 @@
 #include "exchange/trace_reader.hpp"
 #include "geometry/polygon.hpp"
 #include "output/check_outputs.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 #include "text_file.hpp"
 
 namespace blocks::apps {

@@ -11,10 +11,10 @@
 #include "geometry/joint_sources.hpp"
 #include "geometry/polygon.hpp"
 #include "model/settings.hpp"
-#include "run/cut_joints.hpp"
-#include "run/deck_file.hpp"
-#include "run/joint_files.hpp"
+#include "run/cutting/cut_joints.hpp"
+#include "run/cutting/joint_files.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks::apps {
 namespace {

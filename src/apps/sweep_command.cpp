@@ -15,7 +15,7 @@
 #include "output/name_lock.hpp"
 #include "output/results.hpp"
 #include "run/run.hpp"
-#include "run/shell_word.hpp"
+#include "run/support/shell_word.hpp"
 #include "sweep/slurm_engine.hpp"
 #include "sweep/status.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "dynamics/cracks/cracking.hpp"
 #include "library/simulation_state.hpp"
-#include "run/deck_file.hpp"
-#include "run/executor.hpp"
+#include "run/executor/executor.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks::library {
 

@@ -12,8 +12,8 @@
 #include "model/equilibrium.hpp"
 #include "output/checkpoint.hpp"
 #include "output/file_tools.hpp"
-#include "run/deck_file.hpp"
-#include "run/joint_files.hpp"
+#include "run/cutting/joint_files.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks {
 namespace {

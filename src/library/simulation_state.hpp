@@ -13,8 +13,8 @@
 #include "dynamics/stepper.hpp"
 #include "geometry/overlap.hpp"
 #include "library/results_in_use.hpp"
-#include "run/crack_watch.hpp"
-#include "run/motion_watch.hpp"
+#include "run/watch/crack_watch.hpp"
+#include "run/watch/motion_watch.hpp"
 
 namespace blocks {
 

@@ -10,8 +10,8 @@
 #include "output/results.hpp"
 #include "post/read/results_reader.hpp"
 #include "report/outcome_values.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 #include "sweep/outcome.hpp"
 
 namespace blocks::report {

@@ -8,11 +8,11 @@
 
 #include "dynamics/mass_scaling.hpp"
 #include "quantities/quantity.hpp"
-#include "run/cut_progress.hpp"
-#include "run/deck_file.hpp"
-#include "run/executor.hpp"
-#include "run/joint_files.hpp"
-#include "run/saved_state.hpp"
+#include "run/cutting/joint_files.hpp"
+#include "run/executor/executor.hpp"
+#include "run/executor/saved_state.hpp"
+#include "run/support/cut_progress.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks::run {
 namespace {

@@ -10,7 +10,7 @@
 #include "deck/diagnostics.hpp"
 #include "model/assembly_certificate.hpp"
 #include "output/checkpoint.hpp"
-#include "run/builder.hpp"
+#include "run/builder/builder.hpp"
 #include "run/run.hpp"
 
 namespace blocks::run {

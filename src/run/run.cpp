@@ -16,15 +16,15 @@
 #include "model/equilibrium.hpp"
 #include "output/file_tools.hpp"
 #include "output/name_lock.hpp"
-#include "run/builder.hpp"
-#include "run/check_report.hpp"
-#include "run/continuation_hint.hpp"
-#include "run/cut_progress.hpp"
-#include "run/deck_file.hpp"
-#include "run/executor.hpp"
-#include "run/interrupt.hpp"
+#include "run/builder/builder.hpp"
+#include "run/executor/continuation_hint.hpp"
+#include "run/executor/executor.hpp"
+#include "run/executor/saved_state.hpp"
 #include "run/job.hpp"
-#include "run/saved_state.hpp"
+#include "run/reports/check_report.hpp"
+#include "run/support/cut_progress.hpp"
+#include "run/support/deck_file.hpp"
+#include "run/support/interrupt.hpp"
 
 namespace blocks::run {
 namespace {

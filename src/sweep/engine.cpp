@@ -10,9 +10,9 @@
 #include <system_error>
 #include <thread>
 
-#include "run/progress_line.hpp"
 #include "run/run.hpp"
-#include "run/shell_word.hpp"
+#include "run/support/progress_line.hpp"
+#include "run/support/shell_word.hpp"
 #include "sweep/external_program.hpp"
 #include "sweep/local_engine.hpp"
 #include "sweep/parallel_engine.hpp"

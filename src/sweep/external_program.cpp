@@ -13,7 +13,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "run/shell_word.hpp"
+#include "run/support/shell_word.hpp"
 
 namespace blocks::sweep {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "deck/free_field.hpp"
 #include "output/results.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
+#include "run/support/deck_file.hpp"
 
 namespace blocks::sweep {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
-#include "run/interrupt.hpp"
 #include "run/run.hpp"
+#include "run/support/interrupt.hpp"
 #include "study/scene.hpp"
 #include "sweep/layer_measures.hpp"
 #include "sweep/outcome.hpp"

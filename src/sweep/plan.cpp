@@ -10,7 +10,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
-#include "run/deck_file.hpp"
+#include "run/support/deck_file.hpp"
 #include "sweep/json_fields.hpp"
 
 namespace blocks::sweep {

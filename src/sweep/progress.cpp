@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "run/progress_line.hpp"
+#include "run/support/progress_line.hpp"
 
 namespace blocks::sweep {
 

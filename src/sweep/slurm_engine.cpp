@@ -12,7 +12,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
-#include "run/shell_word.hpp"
+#include "run/support/shell_word.hpp"
 #include "sweep/external_program.hpp"
 #include "sweep/packs.hpp"
 

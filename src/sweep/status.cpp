@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "run/run.hpp"
-#include "run/shell_word.hpp"
+#include "run/support/shell_word.hpp"
 #include "sweep/outcome.hpp"
 
 namespace blocks::sweep {

@@ -8,7 +8,7 @@
 
 #include "output/results.hpp"
 #include "run/run.hpp"
-#include "run/shell_word.hpp"
+#include "run/support/shell_word.hpp"
 #include "sweep/json_fields.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/study_outcome.hpp"

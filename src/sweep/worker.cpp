@@ -14,8 +14,8 @@
 #include <system_error>
 #include <utility>
 
-#include "run/interrupt.hpp"
 #include "run/run.hpp"
+#include "run/support/interrupt.hpp"
 
 namespace blocks::sweep {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "deck/parser.hpp"
 #include "dynamics/step.hpp"
-#include "run/builder.hpp"
+#include "run/builder/builder.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/stepper.hpp"
-#include "run/audit_watch.hpp"
 #include "run/program.hpp"
+#include "run/watch/audit_watch.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks::testing {

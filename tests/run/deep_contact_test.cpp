@@ -1,12 +1,12 @@
 // The warning of a contact whose depth no overlap explains.
-#include "run/deep_contact.hpp"
+#include "run/watch/deep_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "run/motion_watch.hpp"
 #include "run/rectangle.hpp"
+#include "run/watch/motion_watch.hpp"
 
 namespace blocks::run {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <csignal>
 
-#include "run/interrupt.hpp"
 #include "run/program.hpp"
 #include "run/run.hpp"
+#include "run/support/interrupt.hpp"
 
 namespace blocks::testing {
 namespace {

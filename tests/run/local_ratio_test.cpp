@@ -6,9 +6,9 @@
 
 #include "deck/commands.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/convergence.hpp"
 #include "run/program.hpp"
-#include "run/progress_line.hpp"
+#include "run/support/progress_line.hpp"
+#include "run/watch/convergence.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "run/plausibility.hpp"
+#include "run/plausibility/plausibility.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "run/console.hpp"
+#include "run/executor/console.hpp"
 #include "run/program.hpp"
-#include "run/progress_line.hpp"
+#include "run/support/progress_line.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -1,5 +1,5 @@
 // Words in command lines of messages, as a shell reads them.
-#include "run/shell_word.hpp"
+#include "run/support/shell_word.hpp"
 
 #include <gtest/gtest.h>
 
