@@ -28,6 +28,20 @@ std::string with_power(const std::string& text) {
                                       draw::superscript(std::stoi(text.substr(e + 1)));
 }
 
+void put_before_names(std::string& text, const std::string& mark,
+                      const std::string& prefix) {
+  for (auto at = text.find(mark); at != text.npos;
+       at = text.find(mark, at + mark.size()))
+    text.insert(at + mark.size(), prefix);
+}
+
+/// Returns an element of HTML with these attributes.
+std::string element(const std::string& name, const std::string& text,
+                    const std::string& marks) {
+  return '<' + name + (marks.empty() ? "" : " " + marks) + '>' + text + "</" + name +
+         '>';
+}
+
 }  // namespace
 
 std::string escaped(const std::string& text) {
@@ -111,6 +125,10 @@ std::string percent_text(double share) {
   return fmt::format("{:g} %", percent == 0.0 && share > 0.0 ? 0.1 : percent);
 }
 
+std::string percents_text(const Interval& interval) {
+  return percent_text(interval.low) + " to " + percent_text(interval.high);
+}
+
 std::string base64(const std::string& bytes) {
   static constexpr char letters[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -125,6 +143,53 @@ std::string base64(const std::string& bytes) {
       text += i + k <= bytes.size() ? letters[group >> (18U - 6U * k) & 63U] : '=';
   }
   return text;
+}
+
+std::string unique_ids(std::string svg, const std::string& prefix) {
+  const auto begin = svg.find("<svg");
+  if (begin == std::string::npos)
+    return svg;
+  svg.erase(0, begin);
+  for (const char* mark : {" id=\"", "url(#", "href=\"#"})
+    put_before_names(svg, mark, prefix);
+  return svg;
+}
+
+std::string fact_row(const std::string& name, const std::string& value) {
+  return "<tr>" + element("th", escaped(name), "scope=\"row\"") +
+         element("td", escaped(value), {}) + "</tr>\n";
+}
+
+void HtmlTable::head(const std::string& text, const std::string& marks) {
+  heads_ += element("th", text, marks);
+}
+
+void HtmlTable::heads(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts)
+    head(text);
+}
+
+void HtmlTable::row(const std::string& marks) {
+  rows_ += rows_.empty() ? "<tr" : "</tr>\n<tr";
+  rows_ += (marks.empty() ? "" : " " + marks) + '>';
+}
+
+void HtmlTable::row_head(const std::string& text) {
+  rows_ += element("th", text, "scope=\"row\"");
+}
+
+void HtmlTable::cell(const std::string& text, const std::string& marks) {
+  rows_ += element("td", text, marks);
+}
+
+void HtmlTable::cells(const std::vector<std::string>& texts) {
+  for (const std::string& text : texts)
+    cell(text);
+}
+
+std::string HtmlTable::html() const {
+  return "<div class=\"wide\"><table><thead><tr>" + heads_ + "</tr></thead><tbody>\n" +
+         rows_ + (rows_.empty() ? "" : "</tr>\n") + "</tbody></table></div>\n";
 }
 
 }  // namespace blocks::report

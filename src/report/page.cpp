@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "report/html_text.hpp"
-#include "report/page_style.hpp"
+#include "report/page_files.hpp"
 #include "report/page_writer.hpp"
 #include "report/tables.hpp"
 
@@ -14,7 +14,6 @@ namespace blocks::report {
 namespace fs = std::filesystem;
 
 std::string PageWriter::page() {
-  head();
   outcomes();
   if (!several_)
     key_numbers();
@@ -30,10 +29,19 @@ std::string PageWriter::page() {
   statistics();
   differences();
   run_table();
-  methods();
-  text_ +=
-      fmt::format("</main>\n<script>\n{}</script>\n</body>\n</html>\n", page_script);
-  return std::move(text_);
+  const char* const kicker =
+      all_.kind() == sweep::Kind::check ? "Statistics of random layers"
+      : all_.kind() == sweep::Kind::study
+          ? "Statistics of variants of the contact rule in the same frames"
+          : "Statistics of a sweep of runs";
+  return fmt::format(
+      fmt::runtime(page_html), fmt::arg("title", escaped(title())),
+      fmt::arg("style", page_css), fmt::arg("kicker", kicker),
+      fmt::arg("swept", escaped(capital(sweep_words(all_)))),
+      fmt::arg("sections", text_), fmt::arg("precision", analysis_.precision.words()),
+      fmt::arg("relative",
+               analysis_.precision.relative ? ", as a part of the mean" : ""),
+      fmt::arg("facts", facts()), fmt::arg("script", page_js));
 }
 
 std::string PageWriter::title() const {
@@ -41,23 +49,6 @@ std::string PageWriter::title() const {
                           : all_.title.empty() ? all_.members.front().plan.name
                                                : all_.title;
   return options_.title.value_or(own);
-}
-
-void PageWriter::head() {
-  text_ += fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<header>\n"
-      "<p class=\"kicker\">{2}</p>\n<h1>{0}</h1>\n<p class=\"swept\">{3}.</p>\n"
-      "</header>\n",
-      escaped(title()), page_style,
-      all_.kind() == sweep::Kind::check ? "Statistics of random layers"
-      : all_.kind() == sweep::Kind::study
-          ? "Statistics of variants of the contact rule in the same frames"
-          : "Statistics of a sweep of runs",
-      escaped(capital(sweep_words(all_))));
 }
 
 void PageWriter::outcomes() {
@@ -81,11 +72,10 @@ void PageWriter::outcomes() {
                        one.count);
     std::string share;
     if (one.state != State::open && ended > 0) {
-      const Interval w = wilson(one.count, ended);
       share = fmt::format(
-          " <small>{} (95 % interval {} to {})</small>",
+          " <small>{} (95 % interval {})</small>",
           percent_text(static_cast<double>(one.count) / static_cast<double>(ended)),
-          percent_text(w.low), percent_text(w.high));
+          percents_text(wilson(one.count, ended)));
     }
     key += fmt::format("<li><i class=\"{}\"></i>{} {}{}</li>", class_of(one.state),
                        one.count, name_of(one.state), share);
@@ -117,13 +107,11 @@ void PageWriter::key_numbers() {
     if (found.summary.n == 0)
       continue;
     ++cards;
-    const std::string below =
-        column.is_share
-            ? fmt::format("95 % interval {} to {}", percent_text(found.interval.low),
-                          percent_text(found.interval.high))
-            : fmt::format("5 to 95 % of the runs: {} to {}",
-                          number_text(found.summary.low.value),
-                          number_text(found.summary.high.value));
+    const std::string below = column.is_share
+                                  ? "95 % interval " + percents_text(found.interval)
+                                  : fmt::format("5 to 95 % of the runs: {} to {}",
+                                                number_text(found.summary.low.value),
+                                                number_text(found.summary.high.value));
     text_ += fmt::format(
         "<div class=\"card\"><b>{}{}</b><span>{}</span><span><small>{}</small>"
         "</span></div>\n",
@@ -140,44 +128,17 @@ void PageWriter::key_numbers() {
            "the page</a>.</p>\n";
 }
 
-void PageWriter::methods() {
-  text_ += "<section id=\"methods\">\n<h2>Definitions</h2>\n<dl>\n";
-  const auto define = [&](const std::string& term, const std::string& meaning) {
-    text_ += "<dt>" + term + "</dt><dd>" + meaning + "</dd>\n";
-  };
-  define("n", "Number of runs that are done and have a value.");
-  define("mean ± 95 %", "Mean, and half of its 95 % confidence interval by Student's t "
-                        "distribution with n − 1 degrees of freedom. It assumes that "
-                        "the means of such samples are normally distributed.");
-  define("sd", "Standard deviation of the runs, with the divisor n − 1.");
-  define("5 %, median, 95 %",
-         "Quantiles of the runs: the value at the place 1 + p (n − 1) of the sorted "
-         "values, interpolated. Their 95 % intervals are order statistics by the "
-         "binomial distribution and hold for any distribution; … means that there are "
-         "too few runs for that end.");
-  define("interval of a share",
-         "Wilson's score interval, 95 %. It is of use for 0 or all of n runs, too.");
-  define("runs for ± " + analysis_.precision.words(),
-         std::string("Number of runs for which the 95 % interval of the mean would be "
-                     "this narrow") +
-             (analysis_.precision.relative ? ", as a part of the mean" : "") +
-             ", if the standard deviation remains the same.");
-  text_ += "</dl>\n<h2>How to repeat it</h2>\n<table class=\"facts\">\n";
-  const auto fact = [&](const std::string& name, const std::string& value) {
-    text_ +=
-        "<tr><th scope=\"row\">" + name + "</th><td>" + escaped(value) + "</td></tr>\n";
-  };
+std::string PageWriter::facts() const {
+  std::string rows;
   for (const Member& member : all_.members) {
-    fact("sweep", fs::absolute(member.folder).lexically_normal().string());
+    rows += fact_row("sweep", fs::absolute(member.folder).lexically_normal().string());
     if (!member.plan.deck.empty())
-      fact("deck", member.plan.deck);
-    fact("hash of the deck", member.plan.deck_hash);
-    fact("program", "BLOCKS " + member.plan.version + "; " + member.plan.numerics);
+      rows += fact_row("deck", member.plan.deck);
+    rows += fact_row("hash of the deck", member.plan.deck_hash) +
+            fact_row("program",
+                     "BLOCKS " + member.plan.version + "; " + member.plan.numerics);
   }
-  text_ += "</table>\n<p class=\"note\">Runs with the same deck, seed, parameters, "
-           "version and numerics give the same results to the last bit, whatever the "
-           "computer, the number of threads, or the engine of the sweep.</p>\n"
-           "</section>\n";
+  return rows;
 }
 
 std::vector<std::size_t> typical_runs(const Ensemble& ensemble,

@@ -1,16 +1,16 @@
 // Writes the parts of the page of a report. Private to src/report.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "post/line_chart.hpp"
+#include "report/html_text.hpp"
 #include "report/page.hpp"
 
 namespace blocks::report {
-
-/// The width of one of two figures side by side.
-inline constexpr const char* half_width = "118mm";
 
 /// Returns the text with a capital first letter.
 std::string capital(std::string text);
@@ -36,56 +36,59 @@ class PageWriter {
  private:
   // page.cpp
   std::string title() const;
-  void head();
   /// Sums the outcomes of all groups.
   void outcomes();
   void key_numbers();
-  void methods();
+  /// Returns what is needed to repeat the sweeps, as rows of a table.
+  std::string facts() const;
 
   // page_figures.cpp
-  void figure(const std::string& picture, const std::string& caption,
-              bool caption_first = false);
+  std::string figure(const std::string& picture, const std::string& caption,
+                     bool caption_first = false);
   /// Returns the heading above the pictures of these rows, and their groups if there
   /// are several.
   std::string typical_heading(const std::vector<std::size_t>& shown) const;
+  std::string typical_figure(std::size_t r);
   void typical_pictures();
   void profile();
+  /// Returns the charts of all columns that are not left out, side by side; empty if
+  /// none has anything to show.
+  std::string chart_figures(post::Chart (*chart)(const Ensemble&, const Analysis&,
+                                                 std::size_t),
+                            const std::vector<bool>& left_out = {});
   void parameter_figures();
+  /// Shows the Sobol indices of each measure as a figure and a table.
+  void sensitivities();
   /// Returns "T vertices: 0; X vertices: 0" of the measures that are the same in all
   /// runs, and marks them.
   std::string constants(std::vector<bool>& is_constant) const;
   void histograms();
 
   // page_tables.cpp
-  void outcome_table();
+  void parameter_heads(HtmlTable& table, const std::string& marks = {}) const;
+  void parameter_cells(HtmlTable& table, const Group& group) const;
   std::size_t shown_groups() const;
-  void note_on_groups();
-  void parameter_heads();
-  void parameter_cells(const Group& group);
-  void statistics_cells(const Column& column, const ColumnStatistics& found);
-  void statistics_heads();
+  /// Adds a table with a row for each group: its parameters, and what `cells` adds.
+  void group_table(const std::vector<std::string>& heads,
+                   const std::function<void(HtmlTable&, std::size_t)>& cells);
+  void outcome_table();
+  /// Tells in how many runs F < 1, over all groups and in each of them.
+  void failures();
+  void statistics_cells(HtmlTable& table, const Column& column,
+                        const ColumnStatistics& found) const;
   void statistics();
   void differences();
   /// Adds a table of scenes and variants for each share, as in docs/robustness.md.
   void variant_tables();
-  std::string share_cell(std::size_t column, const std::string& scene,
-                         std::size_t scene_at, const std::string& variant,
-                         std::size_t variant_at) const;
+  /// Returns the share of the first group that is meant and has one.
+  std::string share_text(std::size_t column,
+                         const std::function<bool(const Group&)>& is_meant) const;
+  void index_table(const Sensitivity& one, std::size_t column);
   /// Returns the rows of the table of runs: all, or if there are too many the runs that
   /// are not done, the typical and extreme ones, and the first ones.
   std::vector<std::size_t> shown_rows() const;
   void run_table();
-  std::string link_words() const;
-  void run_row(std::size_t r);
-
-  // page_safety.cpp
-  /// Tells in how many runs F < 1, over all groups and in each of them.
-  void failures();
-
-  // page_sensitivity.cpp
-  /// Shows the Sobol indices of each measure as a figure and a table.
-  void sensitivities();
-  void index_table(const Sensitivity& one, std::size_t column);
+  void run_row(HtmlTable& table, std::size_t r) const;
 
   // page_writer.cpp: words and links
   std::string column_caption(std::size_t c) const;

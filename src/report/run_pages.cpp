@@ -12,7 +12,7 @@
 #include "output/results.hpp"
 #include "post/page/view_page.hpp"
 #include "report/html_text.hpp"
-#include "report/page_style.hpp"
+#include "report/page_files.hpp"
 #include "report/pictures.hpp"
 
 namespace blocks::report {
@@ -101,48 +101,45 @@ std::string end_of_log(const std::string& path) {
   return size > most ? "...\n" + text.substr(text.find('\n') + 1) : text;
 }
 
-std::string facts_table(const Ensemble& ensemble, const RunRow& row) {
-  std::string text = "<table class=\"facts\">";
-  const auto add = [&](const std::string& name, const std::string& value) {
-    text += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) +
-            "</td></tr>\n";
-  };
+/// Returns the rows of the table of parameters and outcome.
+std::string run_facts(const Ensemble& ensemble, const RunRow& row) {
+  std::string rows;
   for (std::size_t p = 0; p < ensemble.parameters.size(); ++p)
-    add(ensemble.parameters[p], ensemble.groups[row.group].values[p]);
+    rows += fact_row(ensemble.parameters[p], ensemble.groups[row.group].values[p]);
   if (row.seed)
-    add("seed", std::to_string(*row.seed));
-  add("outcome", row.state == State::done || !row.code
-                     ? row.status
-                     : fmt::format("{} (exit {})", row.status, *row.code));
-  return text + "</table>\n";
+    rows += fact_row("seed", std::to_string(*row.seed));
+  return rows +
+         fact_row("outcome", row.state == State::done || !row.code
+                                 ? row.status
+                                 : fmt::format("{} (exit {})", row.status, *row.code));
+}
+
+std::string last_figure(const Ensemble& ensemble, const RunRow& row) {
+  return fmt::format("<figure>{}<figcaption>The last state of the run. <code>blocks "
+                     "view {}.vtkhdf</code> writes a page that plays "
+                     "it.</figcaption></figure>\n",
+                     unique_ids(last_picture(ensemble, row), "p"),
+                     escaped(ensemble.members[row.member].plan.name));
 }
 
 std::string summary_page(const Ensemble& ensemble, const RunRow& row,
                          bool has_results) {
-  const std::string title =
+  const std::string& title =
       ensemble.title.empty() ? ensemble.members[row.member].plan.name : ensemble.title;
   const std::string name = row.seed ? fmt::format("Run {}, seed {}", row.id, *row.seed)
                                     : fmt::format("Run {}", row.id);
-  std::string page = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}: {}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n"
-      "<header><p class=\"kicker\">{}</p><h1>{}</h1></header>\n",
-      summary_mark(ensemble, row), escaped(name), escaped(title), page_style,
-      escaped(title), escaped(name));
-  if (!row.message.empty())
-    page += "<p class=\"fault\">" + escaped(row.message) + "</p>\n";
-  page += facts_table(ensemble, row);
-  if (has_results) {
-    page += "<figure>" + unique_ids(last_picture(ensemble, row), "p") +
-            "<figcaption>The last state of the run. <code>blocks view " +
-            escaped(ensemble.members[row.member].plan.name) +
-            ".vtkhdf</code> writes a page that plays it.</figcaption></figure>\n";
-  }
-  if (const std::string log = end_of_log(ensemble.folder_of(row) + "/log.txt");
-      !log.empty())
-    page += "<h2>Log</h2>\n<pre>" + escaped(log) + "</pre>\n";
-  return page + "</main>\n</body>\n</html>\n";
+  const std::string log = end_of_log(ensemble.folder_of(row) + "/log.txt");
+  const auto unless_empty = [](const std::string& text, const char* form) {
+    return text.empty() ? text : fmt::format(fmt::runtime(form), escaped(text));
+  };
+  return fmt::format(
+      fmt::runtime(run_html), fmt::arg("mark", summary_mark(ensemble, row)),
+      fmt::arg("name", escaped(name)), fmt::arg("title", escaped(title)),
+      fmt::arg("style", page_css),
+      fmt::arg("message", unless_empty(row.message, "<p class=\"fault\">{}</p>\n")),
+      fmt::arg("facts", run_facts(ensemble, row)),
+      fmt::arg("picture", has_results ? last_figure(ensemble, row) : ""),
+      fmt::arg("log", unless_empty(log, "<h2>Log</h2>\n<pre>{}</pre>\n")));
 }
 
 /// Writes a page of a run. A file that is no such page is kept as .bak, .bak2, ...

@@ -10,7 +10,6 @@
 
 #include "draw/chart/line_chart.hpp"
 #include "report/html_text.hpp"
-#include "report/page_style.hpp"
 
 namespace blocks::report {
 namespace {
