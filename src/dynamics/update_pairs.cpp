@@ -120,7 +120,7 @@ bool fits(const Workspace& work, const Blocks& blocks) {
 
 }  // namespace
 
-void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& also) {
+void update_pairs(Model& model, Workspace& work) {
   const Blocks& blocks = model.blocks;
   if (!model.kept.empty()) {
     if (work.springs.arrays_are_current() || work.springs.arrays_lack_pieces())
@@ -148,7 +148,6 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
     work.contacts.copy_contacts(contacts);
   add_pairs(found, from_arrays ? pairs_with_springs(work.index, contacts)
                                : pairs_with_springs(blocks, model.contacts));
-  add_pairs(found, also);
   std::swap(work.index, work.last_index);
   work.index.take(found, blocks.size());
   if (!from_arrays)

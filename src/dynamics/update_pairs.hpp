@@ -1,8 +1,6 @@
 // Finds the pairs of blocks that may touch: the first call of a step.
 #pragma once
 
-#include <vector>
-
 #include "dynamics/workspace.hpp"
 #include "model/model.hpp"
 
@@ -15,10 +13,8 @@ namespace blocks::dynamics {
 /// one and makes the arrays for them. It keeps the decisions that new neighbours cannot
 /// change, unless the list of contacts holds the current springs. Contacts keep their
 /// springs. A pair whose contacts have springs stays in the list even if it
-/// is not near, because its springs may pass to successors. The pairs of `also`, which
-/// must be sorted, are added. Reads blocks and, if it owns the springs, the list of
-/// contacts. Writes search, plane contacts, pairs and arrays.
-void update_pairs(Model& model, Workspace& work,
-                  const std::vector<NearPair>& also = {});
+/// is not near, because its springs may pass to successors. Reads blocks and, if it owns
+/// the springs, the list of contacts. Writes search, plane contacts, pairs and arrays.
+void update_pairs(Model& model, Workspace& work);
 
 }  // namespace blocks::dynamics

@@ -14,10 +14,9 @@ double distance_to_segment(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 }  // namespace
 
 void NearCorners::find(const Model& model, const dynamics::PairIndex& index,
-                       double reach, bool keep) {
+                       double reach) {
   const Blocks& blocks = model.blocks;
-  if (!keep)
-    listed_.clear();
+  listed_.clear();
   for (const dynamics::NearPair& pair : index.pairs) {
     add_near(blocks, pair.low, pair.high, reach);
     add_near(blocks, pair.high, pair.low, reach);
@@ -47,14 +46,6 @@ const NearCorners::Corners& NearCorners::of(int low, int high) const {
   static const Corners none;
   const auto found = listed_.find({low, high});
   return found == listed_.end() ? none : found->second;
-}
-
-std::vector<dynamics::NearPair> NearCorners::pairs(const Blocks& blocks) const {
-  std::vector<dynamics::NearPair> all;
-  for (const auto& [pair, corners] : listed_)
-    if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
-      all.push_back({.low = pair.first, .high = pair.second});
-  return all;
 }
 
 }  // namespace blocks::study

@@ -1,5 +1,4 @@
-// The list of potential contacts as in 1982 (report 3.2), for the variants `report` and
-// `keep`.
+// The list of potential contacts as in 1982 (report 3.2), for the variant `report`.
 #pragma once
 
 #include <map>
@@ -19,13 +18,10 @@ class NearCorners {
   using Corners = std::vector<dynamics::CornerOnEdge>;
 
   /// Lists the corners within `reach` [L] of an edge. `index` must hold all pairs of
-  /// blocks that are so near. If `keep` is set, earlier entries stay in the list.
-  void find(const Model& model, const dynamics::PairIndex& index, double reach,
-            bool keep);
+  /// blocks that are so near.
+  void find(const Model& model, const dynamics::PairIndex& index, double reach);
   /// The corners listed for a pair of blocks, low < high.
   const Corners& of(int low, int high) const;
-  /// The listed pairs that are not both fixed, in order.
-  std::vector<dynamics::NearPair> pairs(const Blocks& blocks) const;
 
  private:
   void add(const Blocks& blocks, int corner, int edge);

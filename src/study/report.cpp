@@ -9,6 +9,25 @@
 namespace blocks::study {
 namespace {
 
+/// An estimate of the tables, and how many frames it counts, if it counts any.
+struct Measured {
+  const char *csv, *json;  ///< its names
+  Estimate Row::*estimate;
+  long Row::*count = nullptr;
+};
+constexpr Measured measures[] = {
+    {"wrong_signs", "wrong_signs", &Row::wrong_signs},
+    {"wrong_tangents", "wrong_tangents", &Row::wrong_tangents},
+    {"phantom", "phantom", &Row::phantom},
+    {"missed", "missed", &Row::missed},
+    {"hang_ups", "hang_ups", &Row::hang_ups, &Row::hung},
+    {"fall_throughs", "fall_throughs", &Row::fall_throughs, &Row::fell},
+    {"speed_lost", "speed_lost", &Row::speed_lost},
+    {"energy_error", "energy_error", &Row::energy},
+    {"diverged", "divergences", &Row::divergences, &Row::diverged},
+    {"median_step", "median_step", &Row::divergence_step},
+    {"deep", "deep_contacts", &Row::deep_frames, &Row::deep}};
+
 /// A share with half its interval, in per cent: "66 ±2", "0", "-".
 std::string percent(const Estimate& e) {
   if (std::isnan(e.value))
@@ -116,6 +135,16 @@ std::string number(double x) {
   return std::isfinite(x) ? fmt::format("{:.6g}", x) : "";
 }
 
+/// A field of a CSV file, in quotes if necessary (RFC 4180).
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 std::string cell(const Estimate& e) {
   if (std::isnan(e.value))
     return ",,,";
@@ -132,14 +161,8 @@ nlohmann::json as_json(const Estimate& e) {
           {"high", value_or_null(e.high)}};
 }
 
-/// A count and its share; empty if it could not happen.
-std::string cell(long count, const Estimate& e) {
-  return (std::isnan(e.value) ? std::string(",") : fmt::format(",{}", count)) + cell(e);
-}
-
 /// Adds what is measured only beside an uncut domain.
 void add_kinds(nlohmann::json& json, const Row& row) {
-  json["deep_contacts"] = as_json(row.deep_frames);
   json["deep_in"] = row.deep_in;
   json["reasons"] = nlohmann::json::array();
   for (const Reason& reason : row.reasons)
@@ -157,20 +180,13 @@ nlohmann::json as_json(const Row& row) {
   if (!row.refused.empty())
     return {{"variant", row.variant->name}, {"refused", row.refused}};
   nlohmann::json json = {{"variant", row.variant->name},
-                         {"wrong_signs", as_json(row.wrong_signs)},
-                         {"wrong_tangents", as_json(row.wrong_tangents)},
-                         {"phantom", as_json(row.phantom)},
-                         {"missed", as_json(row.missed)},
-                         {"hang_ups", as_json(row.hang_ups)},
                          {"hung_in", row.hung_in},
-                         {"speed_lost", as_json(row.speed_lost)},
-                         {"fall_throughs", as_json(row.fall_throughs)},
                          {"fell_in", row.fell_in},
-                         {"energy_error", as_json(row.energy)},
                          {"energy_error_worst", value_or_null(row.worst_energy)},
-                         {"diverged", row.diverged},
-                         {"divergences", as_json(row.divergences)},
-                         {"median_step", as_json(row.divergence_step)}};
+                         {"diverged", row.diverged}};
+  for (const Measured& one : measures)
+    if (one.estimate != &Row::deep_frames || !row.kinds.empty())
+      json[one.json] = as_json(row.*one.estimate);
   if (!row.kinds.empty())
     add_kinds(json, row);
   return json;
@@ -237,44 +253,29 @@ std::string text(const Study& study) {
   return out + notes;
 }
 
-namespace {
-
-/// A field of a CSV file, in quotes if necessary (RFC 4180).
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-}  // namespace
-
 std::string csv(const std::vector<Study>& studies) {
   std::string out = "scene,variant,frames,steps";
-  for (const char* name : {"wrong_signs", "wrong_tangents", "phantom", "missed"})
-    out += fmt::format(",{0},{0}_low,{0}_high", name);
-  for (const char* name : {"hang_ups", "fall_throughs"})
-    out += fmt::format(",{0}_count,{0},{0}_low,{0}_high", name);
-  for (const char* name : {"speed_lost", "energy_error"})
-    out += fmt::format(",{0},{0}_low,{0}_high", name);
-  out += ",energy_error_worst,diverged_count,diverged,diverged_low,diverged_high,"
-         "median_step,median_step_low,median_step_high,deep_count,deep,deep_low,"
-         "deep_high\n";
+  for (const Measured& one : measures) {
+    if (one.count != nullptr)
+      out += fmt::format(",{}_count", one.csv);
+    out += fmt::format(",{0},{0}_low,{0}_high", one.csv);
+    if (one.estimate == &Row::energy)
+      out += ",energy_error_worst";
+  }
   for (const Study& study : studies)
     for (const Row& row : study.rows) {
-      out += fmt::format("{},{},{},{}", field(study.scene), row.variant->name,
+      out += fmt::format("\n{},{},{},{}", field(study.scene), row.variant->name,
                          row.frames, study.steps);
-      for (const Estimate* e :
-           {&row.wrong_signs, &row.wrong_tangents, &row.phantom, &row.missed})
-        out += cell(*e);
-      out += cell(row.hung, row.hang_ups) + cell(row.fell, row.fall_throughs);
-      out += cell(row.speed_lost) + cell(row.energy) + "," + number(row.worst_energy);
-      out += cell(row.diverged, row.divergences) + cell(row.divergence_step) +
-             cell(row.deep, row.deep_frames) + "\n";
+      for (const Measured& one : measures) {
+        const Estimate& estimate = row.*one.estimate;
+        if (one.count != nullptr)  // empty if it could not happen
+          out += std::isnan(estimate.value) ? "," : fmt::format(",{}", row.*one.count);
+        out += cell(estimate);
+        if (one.estimate == &Row::energy)
+          out += "," + number(row.worst_energy);
+      }
     }
-  return out;
+  return out + "\n";
 }
 
 std::string json(const std::vector<Study>& studies, const ReportHead& head) {

@@ -36,18 +36,16 @@ struct NoFaces : dynamics::ExactPredicates {
 
 /// The rules of the report (3.2, 3.3): each listed corner is decided with each of its
 /// listed edges independently.
-template <class Signs, bool keeps_list> class ReportRules {
+class ReportRules {
  public:
   static constexpr bool keeps_decisions = false, transfers_springs = false;
 
   void find(Model& model, Workspace& work) {
     const double tolerance = model.settings.contact_tolerance;
-    update_pairs(model, work,
-                 keeps_list ? near_.pairs(model.blocks)
-                            : std::vector<dynamics::NearPair>());
+    update_pairs(model, work);
     if (model.search.updates == listed_)
       return;
-    near_.find(model, work.index, 2.0 * tolerance, keeps_list);
+    near_.find(model, work.index, 2.0 * tolerance);
     model.search.left = std::min(model.search.left, tolerance);
     listed_ = model.search.updates;
   }
@@ -62,6 +60,7 @@ template <class Signs, bool keeps_list> class ReportRules {
 
  private:
   static bool acts(const Blocks& blocks, int corner, int edge) {
+    using Signs = PrintedSigns;
     const auto at = [&](int k) { return Vec2(blocks.corner.col(k)); };
     const Vec2 c = at(corner), p1 = at(edge), p2 = at(blocks.next[edge]);
     return Signs::overlap_sign(c, p1, p2) > 0 && Signs::between(c, p1, p2) &&
@@ -116,7 +115,7 @@ void judge_signs(const Blocks& blocks, const PairIndex& index, SignTally& tally)
     judge_all(pair.low, pair.high), judge_all(pair.high, pair.low);
 }
 
-template <class Rules, class Signs = ExactSigns<Ends::slack>>
+template <class Rules, class Signs = ExactSigns>
 constexpr Variant variant(std::string_view name, std::string_view what,
                           Corners corners = Corners::sharp) {
   return {
@@ -124,17 +123,6 @@ constexpr Variant variant(std::string_view name, std::string_view what,
       []() -> std::unique_ptr<VariantRun> { return std::make_unique<RunBy<Rules>>(); },
       judge_signs<Signs>};
 }
-template <class Signs>
-constexpr Variant other_signs(std::string_view name, std::string_view what) {
-  return variant<PairRules<Signs>, Signs>(name, what);
-}
-template <class Signs, bool keeps_list>
-constexpr Variant by_report(std::string_view name, std::string_view what) {
-  return variant<ReportRules<Signs, keeps_list>, Signs>(name, what);
-}
-
-using Differences = TranslatedArea<double>;
-using LongDifferences = TranslatedArea<long double>;
 
 }  // namespace
 
@@ -151,26 +139,9 @@ const std::vector<Variant>& all_variants() {
           "no-faces", "default, but of two faces one corner acts, the deepest"),
       variant<PairRules<dynamics::ExactPredicates, false>>(
           "no-hand-over", "default, but springs do not pass to other contacts"),
-      // other arithmetic
-      other_signs<PlainSigns<PrintedArea, Ends::slack>>(
-          "printed", "default, but (19) as printed, in doubles and absolute "
-                     "coordinates"),
-      other_signs<PlainSigns<Differences, Ends::slack>>(
-          "double", "default, but plain doubles on differences of coordinates"),
-      other_signs<PlainSigns<LongDifferences, Ends::slack>>(
-          "long-double", "the same in long doubles (64 bits of mantissa)"),
-      // other ends of an edge
-      other_signs<ExactSigns<Ends::strict>>(
-          "strict", "default, but without slack: on the limit is outside"),
-      other_signs<ExactSigns<Ends::inclusive>>(
-          "inclusive", "default, but without slack: on the limit is inside"),
       // the rules of 1982
-      by_report<PlainSigns<PrintedArea, Ends::inclusive>, false>(
+      variant<ReportRules, PrintedSigns>(
           "report", "the report's rules in doubles, (19) as printed"),
-      by_report<ExactSigns<Ends::inclusive>, false>(
-          "report-exact", "the report's rules decided exactly"),
-      by_report<ExactSigns<Ends::inclusive>, true>(
-          "keep", "report-exact, and a pair once listed stays for ever"),
       // other corners, as in other codes
       variant<PairRules<NoJoints>>("chamfer", "no-joints; corners cut by 1 % of a side",
                                    Corners::chamfered),
