@@ -34,38 +34,6 @@ std::vector<char*> pointers_to(const std::vector<std::string>& words) {
   return pointers;
 }
 
-/// The pipe from which the output of a program is read.
-struct Pipe {
-  std::array<int, 2> ends{-1, -1};
-  explicit Pipe(const std::string& name) {
-    if (::pipe(ends.data()) != 0)
-      fail(errno, name);
-  }
-  ~Pipe() {
-    close_end(0);
-    close_end(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  void close_end(std::size_t end) {
-    if (ends[end] >= 0)
-      ::close(ends[end]);
-    ends[end] = -1;
-  }
-  std::string read_all() const {
-    std::string text;
-    std::array<char, 4096> part{};
-    while (true) {
-      const ssize_t size = ::read(ends[0], part.data(), part.size());
-      if (size < 0 && errno == EINTR)
-        continue;
-      if (size <= 0)
-        return text;
-      text.append(part.data(), static_cast<std::size_t>(size));
-    }
-  }
-};
-
 }  // namespace
 
 std::string find_program(const std::string& name) {
@@ -83,31 +51,18 @@ std::string this_program() {
   return std::filesystem::read_symlink("/proc/self/exe").string();
 }
 
-ProgramEnd call_program(const std::vector<std::string>& words, bool keep_output) {
-  const std::vector<char*> arguments = pointers_to(words);
-  Pipe pipe(words.front());
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  if (keep_output)
-    ::posix_spawn_file_actions_adddup2(&actions, pipe.ends[1], STDOUT_FILENO);
-  for (const int end : pipe.ends)
-    ::posix_spawn_file_actions_addclose(&actions, end);
+ProgramEnd call_program(const std::vector<std::string>& words) {
   std::fflush(nullptr);
-  pid_t process = 0;
-  const int fault = ::posix_spawnp(&process, arguments.front(), &actions, nullptr,
-                                   arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (fault != 0)
-    fail(fault, words.front());
-  pipe.close_end(1);
+  std::FILE* const pipe = ::popen(shell_line(words).c_str(), "r");
+  if (pipe == nullptr)
+    fail(errno, words.front());
   ProgramEnd end;
-  end.output = pipe.read_all();
+  std::array<char, 4096> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), pipe))
+    end.output.append(part.data(), size);
   while (!end.output.empty() && end.output.back() == '\n')
     end.output.pop_back();
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  end.code = code_of(status);
+  end.code = code_of(::pclose(pipe));
   return end;
 }
 

@@ -15,13 +15,13 @@ std::string find_program(const std::string& name);
 std::string this_program();
 
 struct ProgramEnd {
-  int code = 0;        ///< exit code, or 128 + signal
-  std::string output;  ///< standard output without the line end, if it was asked for
+  int code = 0;        ///< exit code, or 128 + signal; 127 if it cannot start
+  std::string output;  ///< standard output without the line end
 };
 
-/// Calls a program, words[0] in PATH, and waits for it. With `keep_output`, returns its
-/// standard output instead of printing it. Throws std::system_error if it cannot start.
-ProgramEnd call_program(const std::vector<std::string>& words, bool keep_output);
+/// Calls a program, words[0] in PATH, and waits for it. Throws std::system_error if no
+/// process can be made.
+ProgramEnd call_program(const std::vector<std::string>& words);
 
 /// A program at work in a process group of its own, so that Ctrl-C does not reach it.
 class ProgramProcess {

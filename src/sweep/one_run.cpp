@@ -15,7 +15,6 @@
 #include "sweep/layer_measures.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/run_log.hpp"
-#include "sweep/safety_outcome.hpp"
 #include "sweep/study_outcome.hpp"
 
 namespace blocks::sweep {
@@ -58,7 +57,7 @@ class RunFolder {
       if (output::has_text(name_ + ending, 0, "BLOCKS "))
         fs::remove(name_ + ending);
     }
-    if (read_json(summary_path()).contains("state_hash"))
+    if (summary().contains("state_hash"))
       fs::remove(summary_path());
   }
   /// Keeps the measures of the blocks at the start. A run that goes on from a
@@ -69,7 +68,7 @@ class RunFolder {
     output::replace_file(layers_path(), layers.dump() + '\n');
   }
   Json layers() const { return read_json(layers_path()); }
-  std::string summary_path() const { return name_ + ".summary.json"; }
+  Json summary() const { return read_json(summary_path()); }
 
  private:
   /// A key that measures of blocks have.
@@ -84,6 +83,7 @@ class RunFolder {
     return json.is_object() ? json : Json();
   }
   std::string layers_path() const { return name_ + ".layers.json"; }
+  std::string summary_path() const { return name_ + ".summary.json"; }
 
   std::string name_;
 };
@@ -138,7 +138,7 @@ int run(const std::string& run_folder, const Plan& plan, const Variation& run,
   const int code = run_the_deck(plan, run, files, choice);
   if (const Json layers = files.layers(); layers.is_object())
     measured["layers"] = layers;
-  if (Json safety = safety_outcome(files.summary_path()); !safety.is_null())
+  if (Json safety = safety_outcome(files.summary()); !safety.is_null())
     measured["factor_of_safety"] = std::move(safety);
   return code;
 }

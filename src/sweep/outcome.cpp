@@ -39,6 +39,11 @@ Outcome outcome_of(Json json) {
   return outcome;
 }
 
+Json number_or_null(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? *found : Json();
+}
+
 }  // namespace
 
 std::string status_of(int code) {
@@ -114,6 +119,14 @@ void remove_outcome(const std::string& run_folder) {
   const std::string path = path_of(run_folder);
   if (::unlink(path.c_str()) != 0 && errno != ENOENT)
     output::throw_errno("remove", path);
+}
+
+Json safety_outcome(const Json& summary) {
+  const auto proved = summary.find("factor_of_safety");
+  if (proved == summary.end() || !proved->is_object())
+    return {};
+  return {{"lower", number_or_null(*proved, "lower")},
+          {"upper", number_or_null(*proved, "upper")}};
 }
 
 }  // namespace blocks::sweep

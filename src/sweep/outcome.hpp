@@ -12,7 +12,7 @@ struct Outcome {
   std::string status;   ///< "done", "deck error", "unsound", "time limit", ...
   std::string message;  ///< the first error; empty if there was none
   /// What was measured: "layers" (layer_measures.hpp), "study" (study_outcome.hpp),
-  /// "factor_of_safety" (safety_outcome.hpp).
+  /// "factor_of_safety" (safety_outcome()).
   nlohmann::ordered_json measured = nlohmann::ordered_json::object();
 };
 
@@ -44,5 +44,9 @@ void write_outcome(const std::string& run_folder, const Outcome& outcome);
 
 /// Removes it, so that the run goes on. Throws output::FileError.
 void remove_outcome(const std::string& run_folder);
+
+/// Returns {"lower": 1.39, "upper": 1.4} of the summary of a run (NAME.summary.json);
+/// an end that no trial proved is null. Returns null if the deck has no FOS card.
+nlohmann::ordered_json safety_outcome(const nlohmann::ordered_json& summary);
 
 }  // namespace blocks::sweep

@@ -4,14 +4,10 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
-#include <set>
-#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -38,58 +34,13 @@ std::string log_path(const std::string& folder) {
   return whole_path(folder) + "/parallel/joblog";
 }
 
-/// The numbers of the jobs that the log has as done, from 1. Its columns are Seq, Host,
-/// Starttime, JobRuntime, Send, Receive, Exitval, Signal, Command. Nothing if a line is
-/// damaged because GNU parallel was killed: it would refuse this log.
-std::optional<std::set<std::size_t>> jobs_done(const std::string& folder) {
-  std::set<std::size_t> done;
-  for (const std::string& line : lines_of(log_path(folder))) {
-    if (line.starts_with("Seq"))
-      continue;
-    std::istringstream words(line);
-    std::size_t job = 0;
-    std::string host, start, time, sent, received;
-    int code = 0, signal = 0;
-    if (!(words >> job >> host >> start >> time >> sent >> received >> code >> signal))
-      return std::nullopt;
-    if (code == 0 && signal == 0)
-      done.insert(job);
-  }
-  return done;
-}
-
-/// Whether the packs of an earlier call still serve: each open run is in one of them
-/// that is not done. --resume-failed needs the same list of jobs each time.
-bool can_resume(const std::string& folder, const std::vector<std::size_t>& ids) {
-  const auto packs = lines_of(packs_path(folder));
-  const auto done = jobs_done(folder);
-  if (!done)
-    return false;
-  std::size_t covered = 0;
-  for (std::size_t i = 0; i < packs.size(); ++i) {
-    if (done->contains(i + 1))
-      continue;
-    const std::string& pack = packs[i];
-    std::size_t first = 0, last = 0;
-    const char* const end = pack.data() + pack.size();
-    const auto read = std::from_chars(pack.data(), end, first);
-    last = first;
-    if (read.ptr != end)
-      std::from_chars(read.ptr + 1, end, last);
-    covered +=
-        static_cast<std::size_t>(std::upper_bound(ids.begin(), ids.end(), last) -
-                                 std::lower_bound(ids.begin(), ids.end(), first));
-  }
-  return covered == ids.size();
-}
-
+/// Makes the list of jobs. The outcomes say which runs are open, so no job of an
+/// earlier call is left to GNU parallel, whose log a kill can damage.
 void prepare(const std::string& folder, const std::vector<std::size_t>& ids,
              std::size_t pack) {
   output::expect_no_link(fs::path(log_path(folder)).parent_path().string());
   for (const std::string& path : {log_path(folder), packs_path(folder)})
     output::expect_replaceable(path);
-  if (can_resume(folder, ids))
-    return;
   output::set_aside(log_path(folder));
   write_packs(packs_path(folder), packs_of(ids, pack));
 }
@@ -108,9 +59,8 @@ std::size_t count_open(const std::string& folder, const std::vector<std::size_t>
 }  // namespace
 
 ParallelCall parallel_call(const std::string& folder, const ParallelChoice& choice) {
-  std::vector<std::string> words{"parallel",          "--will-cite",     "--joblog",
-                                 log_path(folder),    "--resume-failed", "--termseq",
-                                 "TERM,60000,KILL,25"};
+  std::vector<std::string> words{"parallel",       "--will-cite", "--joblog",
+                                 log_path(folder), "--termseq",   "TERM,60000,KILL,25"};
   if (choice.jobs > 0)
     words.insert(words.end(), {"--jobs", fmt::format("{}", choice.jobs)});
   if (!choice.logins.empty())

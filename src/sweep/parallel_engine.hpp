@@ -27,7 +27,7 @@ struct ParallelCall {
 };
 
 /// The packs are in DIR/parallel/packs, and the log of GNU parallel is
-/// DIR/parallel/joblog.
+/// DIR/parallel/joblog; earlier logs are joblog.bak, joblog.bak2, ...
 ParallelCall parallel_call(const std::string& folder, const ParallelChoice& choice);
 
 struct ParallelEnd {

@@ -137,8 +137,8 @@ std::string jobs_at_work(const std::string& folder) {
   const auto jobs = jobs_of(folder);
   if (jobs.empty() || find_program("squeue").empty())
     return {};
-  const ProgramEnd queue = call_program(
-      {"squeue", "--me", "--noheader", "--array", "--format=%F %T %r"}, true);
+  const ProgramEnd queue =
+      call_program({"squeue", "--me", "--noheader", "--array", "--format=%F %T %r"});
   if (queue.code != 0)
     throw std::runtime_error(
         "Slurm does not answer, so it is not known whether jobs of this sweep are at "
@@ -166,7 +166,7 @@ std::string jobs_at_work(const std::string& folder) {
 
 std::size_t most_tasks() {
   constexpr std::size_t usual = 1000;
-  const ProgramEnd config = call_program({"scontrol", "show", "config"}, true);
+  const ProgramEnd config = call_program({"scontrol", "show", "config"});
   const std::string key = "MaxArraySize";
   const auto at = config.output.find(key);
   const auto number = config.output.find_first_of("0123456789", at);
@@ -181,7 +181,7 @@ std::size_t most_tasks() {
 std::string submit(const std::string& folder, const SlurmJob& job) {
   write_packs(job.packs_path, job.packs);
   output::replace_file(job.script_path, job.script);
-  const ProgramEnd end = call_program(job.words, true);
+  const ProgramEnd end = call_program(job.words);
   if (end.code != 0)
     throw std::runtime_error(fmt::format(
         "sbatch refused the job, exit code {}\n  hint: correct the options in "

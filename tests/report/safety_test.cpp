@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "run/program.hpp"
-#include "sweep/safety_outcome.hpp"
+#include "sweep/outcome.hpp"
 
 namespace blocks::testing {
 namespace {
@@ -45,17 +45,15 @@ TEST(SafetyBracket, UndecidedRunsAreToldAndCountAsNeither) {
 }
 
 TEST(SafetyOutcome, IsThatOfTheSummary) {
-  const TemporaryFolder folder;
-  folder.write("a.json", R"({"factor_of_safety": {"lower": 1.39, "upper": null,
-                             "trials": [{"factor": 1.39, "outcome": "stable"}]}})");
-  folder.write("b.json", R"({"steps": 3})");
-  folder.write("c.json", R"({"factor_of_)");
-  const auto of = [&](const char* name) {
-    return sweep::safety_outcome((folder / name).string());
+  const auto of = [&](const char* summary) {
+    return sweep::safety_outcome(nlohmann::ordered_json::parse(summary));
   };
-  EXPECT_EQ(of("a.json").dump(), R"({"lower":1.39,"upper":null})");
-  for (const char* name : {"b.json", "c.json", "none.json"})
-    EXPECT_TRUE(of(name).is_null()) << name;
+  EXPECT_EQ(of(R"({"factor_of_safety": {"lower": 1.39, "upper": null,
+                   "trials": [{"factor": 1.39, "outcome": "stable"}]}})")
+                .dump(),
+            R"({"lower":1.39,"upper":null})");
+  for (const char* without : {R"({"steps": 3})", "null"})
+    EXPECT_TRUE(of(without).is_null()) << without;
 }
 
 class SafetyReport : public ::testing::Test {
@@ -99,7 +97,8 @@ TEST_F(SafetyReport, HasTheDistributionAndTheShareBelowOne) {
   // Runs with different friction are never added.
   EXPECT_THAT(run.out, HasSubstr("F < 1 in 2 of 3 runs: 66.7 % (95 % interval 20.8 to "
                                  "93.9 %); 1 run is undecided"));
-  EXPECT_THAT(run.out, HasSubstr("F < 1 in 0 of 4 runs: 0 % (95 % interval 0 to 49 %)"));
+  EXPECT_THAT(run.out,
+              HasSubstr("F < 1 in 0 of 4 runs: 0 % (95 % interval 0 to 49 %)"));
   const std::string table = text("t.csv");
   EXPECT_THAT(table, HasSubstr("\n.2,quantity,fos,,4,0,,0.99375,"));
   EXPECT_THAT(table, HasSubstr("\n.2,quantity,fos<1,,3,1,2,0.666666666666666"));

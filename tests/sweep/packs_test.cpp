@@ -42,7 +42,7 @@ TEST(Parallel, NamesJobsAndMachines) {
   choice.logins = "machines";
   const std::vector<std::string> words = parallel_call("d", choice).words;
   EXPECT_THAT(words, testing::IsSupersetOf({"--jobs", "4", "--sshloginfile"}));
-  EXPECT_THAT(words, testing::IsSupersetOf({"--resume-failed", "--joblog"}));
+  EXPECT_THAT(words, testing::Contains("--joblog"));
 }
 
 }  // namespace
