@@ -1,5 +1,7 @@
 #include "option_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <string>
@@ -21,18 +23,35 @@ CLI::Validator whole(const std::string& expected, const std::string& name) {
 
 }  // namespace
 
-CLI::Validator seed_number() {
-  return {[](std::string& text) {
+CLI::Validator whole_between(std::uint64_t low, std::uint64_t high,
+                             const std::string& name) {
+  return {[=](std::string& text) {
             const bool digits =
                 !text.empty() && text.size() <= 16 &&
                 text.find_first_not_of("0123456789") == std::string::npos;
-            if (!digits || std::stoull(text) > 9007199254740991ULL)
-              return "expected a whole number from 0 to 9007199254740991, found '" +
-                     text + "'";
+            if (!digits || std::stoull(text) < low || std::stoull(text) > high)
+              return fmt::format("expected a whole number from {} to {}, found '{}'",
+                                 low, high, text);
             text = std::to_string(std::stoull(text));  // 010 becomes 10
             return std::string();
           },
-          "0 TO 2^53-1"};
+          name.empty() ? fmt::format("{} to {}", low, high) : name};
+}
+
+CLI::Validator seed_number() {
+  return whole_between(0, 9007199254740991ULL, "0 TO 2^53-1");
+}
+
+CLI::Validator number_between(double low, double high) {
+  return {[=](const std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && low <= value &&
+                           value <= high
+                       ? std::string()
+                       : fmt::format("expected a number from {} to {}, found '{}'", low,
+                                     high, text);
+          },
+          fmt::format("{:g} to {:g}", low, high)};
 }
 
 CLI::Validator positive_number() {

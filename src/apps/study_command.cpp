@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 #include "deck/suggest.hpp"
+#include "option_checks.hpp"
 #include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
@@ -38,56 +38,51 @@ std::string did_you_mean(const std::string& word,
   return near.empty() ? std::string() : fmt::format("; did you mean {}?", near);
 }
 
+/// Adds what the list does not have yet.
+template <class One> void add_once(std::vector<One>& list, const One& one) {
+  if (std::find(list.begin(), list.end(), one) == list.end())
+    list.push_back(one);
+}
+
 /// Returns the names of scenes and decks, with "all" expanded. Prints an error and
 /// returns nothing if a name is unknown.
 std::vector<std::string> scenes_meant(const std::vector<std::string>& given) {
   std::vector<std::string> meant;
   for (const std::string& name : given) {
     if (name == "all") {
-      meant.insert(meant.end(), study::scene_names().begin(),
-                   study::scene_names().end());
+      for (const std::string_view scene : study::scene_names())
+        add_once(meant, std::string(scene));
     } else if (is_scene(name) || looks_like_deck(name)) {
-      meant.push_back(name);
+      add_once(meant, name);
     } else {
       fmt::print(stderr, "blocks: error: there is no scene '{}'{}\n{}", name,
                  did_you_mean(name, study::scene_names()), study::list_of_scenes());
       return {};
     }
   }
-  std::vector<std::string> once;
-  for (std::string& name : meant)
-    if (std::find(once.begin(), once.end(), name) == once.end())
-      once.push_back(std::move(name));
-  return once;
+  return meant;
 }
 
+/// Does the same for variants; no name means all of them.
 std::vector<const study::Variant*>
 variants_meant(const std::vector<std::string>& given) {
   std::vector<const study::Variant*> meant;
   std::vector<std::string_view> names;
-  for (const study::Variant& variant : study::all_variants()) {
+  for (const study::Variant& variant : study::all_variants())
     names.push_back(variant.name);
-    if (given.empty())
-      meant.push_back(&variant);
-  }
-  for (const std::string& name : given) {
-    if (name == "all") {
-      const std::vector<const study::Variant*> others = variants_meant({});
-      std::copy_if(others.begin(), others.end(), std::back_inserter(meant),
-                   [&](const study::Variant* variant) {
-                     return std::find(meant.begin(), meant.end(), variant) ==
-                            meant.end();
-                   });
-      continue;
-    }
+  for (const std::string& name :
+       given.empty() ? std::vector<std::string>{"all"} : given) {
     const study::Variant* variant = study::find_variant(name);
-    if (variant == nullptr) {
+    if (name == "all") {
+      for (const study::Variant& one : study::all_variants())
+        add_once(meant, &one);
+    } else if (variant != nullptr) {
+      add_once(meant, variant);
+    } else {
       fmt::print(stderr, "blocks: error: there is no variant '{}'{}\n{}", name,
                  did_you_mean(name, names), study::list_of_variants());
       return {};
     }
-    if (std::find(meant.begin(), meant.end(), variant) == meant.end())
-      meant.push_back(variant);
   }
   return meant;
 }
@@ -202,38 +197,6 @@ void save(const StudyOptions& options, const std::vector<study::Study>& studies)
     write(options.json, study::json(studies, {options.frames, options.seed}));
 }
 
-/// Accepts numbers from `low` to `high`. CLI::Range accepts NaN and prints thirty
-/// digits.
-CLI::Validator between(double low, double high) {
-  const std::string range = fmt::format("{:g} to {:g}", low, high);
-  return CLI::Validator(
-      [=](const std::string& text) {
-        double value = 0.0;
-        const bool number = CLI::detail::lexical_cast(text, value);
-        return number && low <= value && value <= high
-                   ? std::string()
-                   : fmt::format("expected a number from {} to {}, found '{}'", low,
-                                 high, text);
-      },
-      range);
-}
-
-/// Accepts digits only. CLI11's own conversion would wrap negative numbers and read 010
-/// as octal.
-CLI::Validator whole_between(std::uint64_t low, std::uint64_t high) {
-  return CLI::Validator(
-      [=](std::string& text) {
-        const bool digits = !text.empty() && text.size() <= 16 &&
-                            text.find_first_not_of("0123456789") == std::string::npos;
-        if (!digits || std::stoull(text) < low || std::stoull(text) > high)
-          return fmt::format("expected a whole number from {} to {}, found '{}'", low,
-                             high, text);
-        text = std::to_string(std::stoull(text));
-        return std::string();
-      },
-      fmt::format("{} to {}", low, high));
-}
-
 /// Prints what was found in a scene. Returns the exit code.
 int print_study(const study::Study& done, bool first) {
   fmt::print("{}{}", first ? "" : "\n", study::text(done));
@@ -334,11 +297,11 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command
       .add_option("--offset", options.offset,
                   "distance from the origin in block sizes (default: random, 0 to 1e9)")
-      ->check(between(0.0, 1e15));
+      ->check(number_between(0.0, 1e15));
   command
       .add_option("--scale", options.scale,
                   "factor on all lengths (default: random, 1e-3 to 1e6)")
-      ->check(between(1e-30, 1e30));
+      ->check(number_between(1e-30, 1e30));
   command
       .add_option("--steps", options.steps,
                   "number of time steps (default: that of the scene; 2000 for a deck)")
