@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "output/checkpoint_fields.hpp"
 #include "output/checkpoint_validation.hpp"
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
@@ -103,50 +104,6 @@ void verify_seal(const std::string& path) {
     refuse(path, "it is damaged: its checksum is wrong");
 }
 
-/// Visits the contents of the report's "restart tape": the data of the run and the
-/// model.
-template <class M, class Info, class Archive>
-void visit(M& model, Info& info, Archive& ar) {
-  auto& [deck_file, deck_text, overrides, results, results_run, results_frames,
-         listing_bytes, version, progress] = info;
-  ar("run/deck_file", deck_file);
-  ar("run/deck_text", deck_text);
-  ar("run/overrides", overrides);
-  ar("run/results", results);
-  ar("run/results_run", results_run);
-  ar("run/results_frames", results_frames);
-  ar("run/listing_bytes", listing_bytes);
-  ar("run/version", version);
-  {
-    auto& [card, steps_left, below_ratio, frames, samples, bytes, tabled_step,
-           half_depth, fast_told, flight_told, deep_told, finished, warnings,
-           overlaps] = progress;
-    ar("run/progress/card", card);
-    ar("run/progress/steps_left", steps_left);
-    ar("run/progress/below_ratio", below_ratio);
-    ar("run/progress/frames", frames);
-    ar("run/progress/samples", samples);
-    ar("run/progress/listing_bytes", bytes);
-    ar("run/progress/tabled_step", tabled_step);
-    ar("run/progress/half_depth", half_depth);
-    ar("run/progress/fast_told", fast_told);
-    ar("run/progress/flight_told", flight_told);
-    ar("run/progress/deep_told", deep_told);
-    ar("run/progress/finished", finished);
-    ar("run/progress/warnings", warnings);
-    ar.records("run/progress/overlaps", overlaps, [](auto& column, auto& overlap) {
-      auto& [first, second, area, place, depth] = overlap;
-      column("first", first);
-      column("second", second);
-      column("area", area);
-      column("x", place.x());
-      column("y", place.y());
-      column("depth", depth);
-    });
-  }
-  visit_model(model, ar);
-}
-
 /// Gives the previous checkpoint a second name first, so that `path` exists at every
 /// moment.
 void keep_previous(const std::string& path) {
@@ -171,7 +128,7 @@ void write_checkpoint(const std::string& path, const Model& model,
     hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
     hdf5::write_attribute(file.get(), "format", format);
     SavingArchive archive(file.get());
-    visit(model, info, archive);
+    visit_checkpoint(model, info, archive);
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
     file.close();
   });
@@ -189,7 +146,7 @@ Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
     const hdf5::Handle file = hdf5::open_file(path, false);
     Model model;
     LoadingArchive archive(file.get());
-    visit(model, info, archive);
+    visit_checkpoint(model, info, archive);
     validate_checkpoint(model, info);
     return model;
   } catch (const hdf5::Failure& failure) {

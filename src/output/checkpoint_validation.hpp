@@ -1,6 +1,7 @@
-// Checkpoint validation: checks, field by field, conditions that hold for every state
-// of a run. A fabricated checkpoint with a correct checksum is thus rejected before it
-// is used. Depends on the model and the names of visit_model, not on files.
+// Checkpoint validation: checks conditions that hold for every state of a run. Those of
+// one field stand beside its name (model_fields.hpp); those that relate fields to each
+// other are here. A fabricated checkpoint with a correct checksum is thus rejected
+// before it is used.
 #pragma once
 
 #include "output/checkpoint.hpp"

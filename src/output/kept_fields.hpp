@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/kept_decisions.hpp"
+#include "output/checkpoint_field.hpp"
 
 namespace blocks::output {
 
@@ -10,7 +11,7 @@ template <class P, class Archive>
 void visit_poses(P& poses, const char* name, Archive& ar) {
   ar.records(name, poses, [](auto& column, auto& pose) {
     auto& [block, centroid, gradient] = pose;
-    column("block", block);
+    column({"block", IndexOf::block}, block);
     column("x", centroid.x());
     column("y", centroid.y());
     column("g0", gradient[0]);
@@ -25,10 +26,10 @@ template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
   ar.records("kept/pairs", pairs, [](auto& column, auto& pair) {
     auto& [low, high, room, contact_count, pose_count, depth_count] = pair;
     auto& [motion, until, then] = room;
-    column("low", low);
-    column("high", high);
-    column("motion", motion);
-    column("until", until);
+    column({"low", IndexOf::block}, low);
+    column({"high", IndexOf::block}, high);
+    column({"motion", not_negative}, motion);
+    column({"until", not_negative}, until);
     column("apart_x", then.apart.x());
     column("apart_y", then.apart.y());
     column("low_g0", then.low[0]);
@@ -39,31 +40,31 @@ template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
     column("high_g1", then.high[1]);
     column("high_g2", then.high[2]);
     column("high_g3", then.high[3]);
-    column("contacts", contact_count);
-    column("poses", pose_count);
-    column("depths", depth_count);
+    column({"contacts", count_from_0}, contact_count);
+    column({"poses", count_from_0}, pose_count);
+    column({"depths", count_from_0}, depth_count);
   });
   ar.records("kept/contacts", contacts, [](auto& column, auto& contact) {
     auto& [corner, edge, tested, certain] = contact;
-    column("corner", corner);
-    column("edge", edge);
+    column({"corner", IndexOf::corner}, corner);
+    column({"edge", IndexOf::corner}, edge);
     column("tested", tested);
     column("certain", certain);
   });
   visit_poses(poses, "kept/poses", ar);
   ar.records("kept/depths", depths, [](auto& column, auto& depth) {
     auto& [own_block, own_part, other_block, other_part, side, least, most] = depth;
-    column("own_block", own_block);
+    column({"own_block", IndexOf::block}, own_block);
     column("own_part", own_part);
-    column("other_block", other_block);
+    column({"other_block", IndexOf::block}, other_block);
     column("other_part", other_part);
     column("side", side);
     column("least", least);
     column("most", most);
   });
-  ar("kept/pieces", pieces);
-  ar("kept/most", longest_path);
-  ar("kept/blocks", blocks);
+  ar({"kept/pieces", IndexOf::block}, pieces);
+  ar({"kept/most", not_negative}, longest_path);
+  ar({"kept/blocks", not_negative}, blocks);
 }
 
 }  // namespace blocks::output

@@ -16,9 +16,6 @@
 namespace blocks::output {
 
 template <class T>
-concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
-
-template <class T>
 using Stored = std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>;
 
 template <class T> Stored<T> to_stored(T value) {
@@ -46,71 +43,71 @@ class SavingArchive {
  public:
   explicit SavingArchive(hid_t group) : group_(group) {}
 
-  template <Number T> void operator()(const std::string& name, const T& value) {
-    const Stored<T> stored = to_stored(value);
-    put(name, &stored, 1, 0);
-  }
-  void operator()(const std::string& name, const std::string& text) {
-    hdf5::write_text(group_, name, text);
-  }
-  void operator()(const std::string& name, const geometry::Decimal& number) {
-    hdf5::write_text(group_, name,
-                     number.digits() + "e" + std::to_string(number.exponent()));
-  }
-  template <class T>
-  void operator()(const std::string& name, const std::optional<T>& value) {
-    (*this)(name + "_given", value.has_value());
-    if (value)
-      (*this)(name, *value);
-  }
-  /// Writes texts without line breaks as one text, each ended by a line break.
-  void operator()(const std::string& name, const std::vector<std::string>& texts) {
-    std::string lines;
-    for (const std::string& text : texts)
-      lines += text + '\n';
-    hdf5::write_text(group_, name, lines);
-  }
-  template <Number T>
-  void operator()(const std::string& name, const std::vector<T>& values) {
-    put_pieces<Stored<T>>(name, values, [](T value) { return to_stored(value); });
-  }
-  /// Writes each column of the matrix, such as a block, a corner or a contact, as one
-  /// row of the dataset.
-  template <class Derived>
-  void operator()(const std::string& name,
-                  const Eigen::PlainObjectBase<Derived>& matrix) {
-    const bool vector = Derived::ColsAtCompileTime == 1;
-    put(name, matrix.data(),
-        static_cast<hsize_t>(vector ? matrix.size() : matrix.cols()),
-        vector ? 0 : static_cast<hsize_t>(matrix.rows()));
+  template <class T> void operator()(const Field& field, const T& value) {
+    save(field.name, value);
   }
   template <class Record, class Visit>
-  void records(const std::string& name, const std::vector<Record>& list,
-               Visit&& visit) {
-    (*this)(name + "/count", static_cast<std::int64_t>(list.size()));
-    put_members(name, list, visit);
+  void records(const Field& field, const std::vector<Record>& list, Visit&& visit) {
+    save(field.name + std::string("/count"), static_cast<std::int64_t>(list.size()));
+    put_members(field.name, list, visit);
   }
   template <class Map, class Visit>
-  void materials(const std::string& name, const Map& map, Visit&& visit) {
-    (*this)(name + "/count", static_cast<std::int64_t>(map.size()));
-    put_members(name, map, [&](auto& column, const auto& entry) {
+  void materials(const Field& field, const Map& map, Visit&& visit) {
+    save(field.name + std::string("/count"), static_cast<std::int64_t>(map.size()));
+    put_members(field.name, map, [&](auto& column, const auto& entry) {
       visit(column, entry.first, entry.second);
     });
   }
 
  private:
+  template <Number T> void save(const std::string& name, const T& value) {
+    const Stored<T> stored = to_stored(value);
+    put(name, &stored, 1, 0);
+  }
+  void save(const std::string& name, const std::string& text) {
+    hdf5::write_text(group_, name, text);
+  }
+  void save(const std::string& name, const geometry::Decimal& number) {
+    hdf5::write_text(group_, name,
+                     number.digits() + "e" + std::to_string(number.exponent()));
+  }
+  template <class T> void save(const std::string& name, const std::optional<T>& value) {
+    save(name + "_given", value.has_value());
+    if (value)
+      save(name, *value);
+  }
+  /// Writes texts without line breaks as one text, each ended by a line break.
+  void save(const std::string& name, const std::vector<std::string>& texts) {
+    std::string lines;
+    for (const std::string& text : texts)
+      lines += text + '\n';
+    hdf5::write_text(group_, name, lines);
+  }
+  template <Number T> void save(const std::string& name, const std::vector<T>& values) {
+    put_pieces<Stored<T>>(name, values, [](T value) { return to_stored(value); });
+  }
+  /// Writes each column of the matrix, such as a block, a corner or a contact, as one
+  /// row of the dataset.
+  template <class Derived>
+  void save(const std::string& name, const Eigen::PlainObjectBase<Derived>& matrix) {
+    const bool vector = Derived::ColsAtCompileTime == 1;
+    put(name, matrix.data(),
+        static_cast<hsize_t>(vector ? matrix.size() : matrix.cols()),
+        vector ? 0 : static_cast<hsize_t>(matrix.rows()));
+  }
+
   /// Captures one member of a record and skips the others.
   struct Member {
     std::size_t wanted, passed = 0;
     const char* name = nullptr;  ///< null if there is no member of that index
     std::variant<double, std::int64_t, const std::string*> value = {};
-    template <Number T> void operator()(const char* its_name, const T& member) {
+    template <Number T> void operator()(const Field& field, const T& member) {
       if (passed++ == wanted)
-        name = its_name, value = to_stored(member);
+        name = field.name, value = to_stored(member);
     }
-    void operator()(const char* its_name, const std::string& member) {
+    void operator()(const Field& field, const std::string& member) {
       if (passed++ == wanted)
-        name = its_name, value = &member;
+        name = field.name, value = &member;
     }
   };
 
@@ -147,7 +144,7 @@ class SavingArchive {
               std::vector<std::string> texts;
               for (const auto& record : list)
                 texts.push_back(*value(record));
-              (*this)(column, texts);
+              save(column, texts);
             } else {
               put_pieces<T>(column, list, value);
             }
@@ -180,41 +177,67 @@ class LoadingArchive {
  public:
   explicit LoadingArchive(hid_t group) : group_(group) {}
 
-  template <Number T> void operator()(const std::string& name, T& value) {
+  template <class T> void operator()(const Field& field, T& value) {
+    load(field.name, value);
+  }
+  template <class Record, class Visit>
+  void records(const Field& field, std::vector<Record>& list, Visit&& visit) {
+    Columns columns{*this, field.name, count(field.name), {}};
+    list.clear();
+    for (; columns.row < columns.rows; ++columns.row) {
+      columns.next = 0;
+      visit(columns, list.emplace_back());
+    }
+  }
+  template <class Map, class Visit>
+  void materials(const Field& field, Map& map, Visit&& visit) {
+    Columns columns{*this, field.name, count(field.name), {}};
+    map.clear();
+    for (; columns.row < columns.rows; ++columns.row) {
+      columns.next = 0;
+      typename Map::key_type number{};
+      typename Map::mapped_type material;
+      visit(columns, number, material);
+      map.emplace(number, material);
+    }
+  }
+
+ private:
+  template <Number T> void load(const std::string& name, T& value) {
     const auto stored = get<Stored<T>>(name);
     if (stored.size() != 1)
       throw hdf5::Failure(name + " is not one number");
     value = from_stored<T>(name, stored.front());
   }
-  void operator()(const std::string& name, std::string& text) {
+  void load(const std::string& name, std::string& text) {
     text = hdf5::read_text(group_, name);
   }
-  void operator()(const std::string& name, geometry::Decimal& number) {
+  void load(const std::string& name, geometry::Decimal& number) {
     const auto read = geometry::Decimal::parse(hdf5::read_text(group_, name));
     if (!read)
       throw hdf5::Failure(name + " is not a number");
     number = *read;
   }
-  template <class T> void operator()(const std::string& name, std::optional<T>& value) {
+  template <class T> void load(const std::string& name, std::optional<T>& value) {
     bool given = false;
-    (*this)(name + "_given", given);
+    load(name + "_given", given);
     value.reset();
     if (given)
-      (*this)(name, value.emplace());
+      load(name, value.emplace());
   }
-  void operator()(const std::string& name, std::vector<std::string>& texts) {
+  void load(const std::string& name, std::vector<std::string>& texts) {
     texts.clear();
     std::istringstream lines(hdf5::read_text(group_, name));
     for (std::string line; std::getline(lines, line);)
       texts.push_back(std::move(line));
   }
-  template <Number T> void operator()(const std::string& name, std::vector<T>& values) {
+  template <Number T> void load(const std::string& name, std::vector<T>& values) {
     values.clear();
     for (const auto stored : get<Stored<T>>(name))
       values.push_back(from_stored<T>(name, stored));
   }
   template <class Derived>
-  void operator()(const std::string& name, Eigen::PlainObjectBase<Derived>& matrix) {
+  void load(const std::string& name, Eigen::PlainObjectBase<Derived>& matrix) {
     constexpr bool vector = Derived::ColsAtCompileTime == 1;
     hdf5::Column column = hdf5::Column::open(group_, name);
     const auto values = column.read<double>(0, column.rows());
@@ -231,44 +254,23 @@ class LoadingArchive {
       matrix.resize(Derived::RowsAtCompileTime, rows);
     std::copy(values.begin(), values.end(), matrix.data());
   }
-  template <class Record, class Visit>
-  void records(const std::string& name, std::vector<Record>& list, Visit&& visit) {
-    Columns columns{*this, name, count(name), {}};
-    list.clear();
-    for (; columns.row < columns.rows; ++columns.row) {
-      columns.next = 0;
-      visit(columns, list.emplace_back());
-    }
-  }
-  template <class Map, class Visit>
-  void materials(const std::string& name, Map& map, Visit&& visit) {
-    Columns columns{*this, name, count(name), {}};
-    map.clear();
-    for (; columns.row < columns.rows; ++columns.row) {
-      columns.next = 0;
-      typename Map::key_type number{};
-      typename Map::mapped_type material;
-      visit(columns, number, material);
-      map.emplace(number, material);
-    }
-  }
 
- private:
   struct Columns {
     LoadingArchive& from;
     std::string list;
     std::size_t rows;
     std::vector<RecordColumn> all;
     std::size_t row = 0, next = 0;
-    template <Number T> void operator()(const char* name, T& member) {
-      const std::string column = list + "/" + name;
-      member = from_stored<T>(
-          column, value<Stored<T>>(name, [&] { return from.get<Stored<T>>(column); }));
+    template <Number T> void operator()(const Field& field, T& member) {
+      const std::string column = list + "/" + field.name;
+      member = from_stored<T>(column, value<Stored<T>>(field.name, [&] {
+                                return from.get<Stored<T>>(column);
+                              }));
     }
-    void operator()(const char* name, std::string& member) {
-      member = value<std::string>(name, [&] {
+    void operator()(const Field& field, std::string& member) {
+      member = value<std::string>(field.name, [&] {
         std::vector<std::string> texts;
-        from(list + "/" + name, texts);
+        from.load(list + "/" + field.name, texts);
         return texts;
       });
     }
@@ -290,7 +292,7 @@ class LoadingArchive {
   }
   std::size_t count(const std::string& name) {
     std::int64_t rows = 0;
-    (*this)(name + "/count", rows);
+    load(name + "/count", rows);
     if (rows < 0)
       throw hdf5::Failure(name + " has a negative length");
     return static_cast<std::size_t>(rows);

@@ -22,9 +22,33 @@ using ::testing::HasSubstr;
 /// Sets every field to a different value, including special doubles.
 class Filler {
  public:
-  template <class T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void operator()(const std::string&, T& value) {
+  template <class T> void operator()(const Field& field, T& value) {
+    fill(field.name, value);
+  }
+  template <class R, class Visit>
+  void records(const Field& field, std::vector<R>& list, Visit&& visit) {
+    list.resize(3);
+    auto member = [&](const Field& at, auto& value) {
+      fill(std::string(field.name) + at.name, value);
+    };
+    for (R& record : list)
+      visit(member, record);
+  }
+  template <class Map, class Visit>
+  void materials(const Field& field, Map& map, Visit&& visit) {
+    auto member = [&](const Field& at, auto& value) {
+      fill(std::string(field.name) + at.name, value);
+    };
+    for (int i = 0; i < 3; ++i) {
+      typename Map::key_type number{};
+      typename Map::mapped_type material;
+      visit(member, number, material);
+      map.emplace(number, material);
+    }
+  }
+
+ private:
+  template <Number T> void fill(const std::string&, T& value) {
     if constexpr (std::is_same_v<T, bool>)
       value = true;
     else if constexpr (std::is_enum_v<T>)
@@ -36,50 +60,30 @@ class Filler {
     else
       value = static_cast<T>(1000 + ++count_);
   }
-  void operator()(const std::string& name, std::string& text) {
+  void fill(const std::string& name, std::string& text) {
     text = "text of " + name + " \xC3\xA9\t";
   }
-  void operator()(const std::string&, geometry::Decimal& number) {
+  void fill(const std::string&, geometry::Decimal& number) {
     number = *geometry::Decimal::parse("-12." + std::to_string(++count_) + "1e-3");
   }
-  template <class T> void operator()(const std::string& name, std::optional<T>& value) {
-    (*this)(name, value.emplace());
+  template <class T> void fill(const std::string& name, std::optional<T>& value) {
+    fill(name, value.emplace());
   }
-  template <class T> void operator()(const std::string& name, std::vector<T>& values) {
+  template <class T> void fill(const std::string& name, std::vector<T>& values) {
     values.resize(5);
     for (auto&& place : values) {
       T value = place;
-      (*this)(name, value);
+      fill(name, value);
       place = value;
     }
   }
-  template <class D> void operator()(const std::string&, Eigen::PlainObjectBase<D>& m) {
+  template <class D> void fill(const std::string&, Eigen::PlainObjectBase<D>& m) {
     if constexpr (D::SizeAtCompileTime == Eigen::Dynamic)
       m.resize(D::RowsAtCompileTime == Eigen::Dynamic ? 7 : D::RowsAtCompileTime,
                D::ColsAtCompileTime == Eigen::Dynamic ? 7 : D::ColsAtCompileTime);
     for (Eigen::Index i = 0; i < m.size(); ++i)
       m.data()[i] = next();
   }
-  template <class R, class Visit>
-  void records(const std::string& name, std::vector<R>& list, Visit&& visit) {
-    list.resize(3);
-    for (R& record : list) {
-      auto member = [&](const char* at, auto& v) { (*this)(name + at, v); };
-      visit(member, record);
-    }
-  }
-  template <class Map, class Visit>
-  void materials(const std::string& name, Map& map, Visit&& visit) {
-    for (int i = 0; i < 3; ++i) {
-      typename Map::key_type number{};
-      typename Map::mapped_type material;
-      auto member = [&](const char* at, auto& v) { (*this)(name + at, v); };
-      visit(member, number, material);
-      map.emplace(number, material);
-    }
-  }
-
- private:
   double next() {
     constexpr double awkward[] = {-0.0, std::numeric_limits<double>::denorm_min(),
                                   std::numeric_limits<double>::quiet_NaN(),

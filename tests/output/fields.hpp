@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "output/model_fields.hpp"
@@ -18,51 +17,54 @@ class Fields {
  public:
   std::map<std::string, std::string> all;
 
-  template <class T>
-  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void operator()(const std::string& name, const T& value) { all[name] += bits(value); }
-  void operator()(const std::string& name, const std::string& text) {
-    all[name] = text;
+  template <class T> void operator()(const output::Field& field, const T& value) {
+    put(field.name, value);
   }
-  void operator()(const std::string& name, const geometry::Decimal& number) {
+  template <class R, class Visit>
+  void records(const output::Field& list, const std::vector<R>& records,
+               Visit&& visit) {
+    all[list.name] = std::to_string(records.size());
+    auto member = [&](const output::Field& at, const auto& value) {
+      put(std::string(list.name) + "/" + at.name, value);
+    };
+    for (const R& record : records)
+      visit(member, record);
+  }
+  template <class Map, class Visit>
+  void materials(const output::Field& list, const Map& map, Visit&& visit) {
+    all[list.name] = std::to_string(map.size());
+    auto member = [&](const output::Field& at, const auto& value) {
+      put(std::string(list.name) + "/" + at.name, value);
+    };
+    for (const auto& [number, material] : map)
+      visit(member, number, material);
+  }
+
+ private:
+  template <output::Number T> void put(const std::string& name, const T& value) {
+    all[name] += bits(value);
+  }
+  void put(const std::string& name, const std::string& text) { all[name] = text; }
+  void put(const std::string& name, const geometry::Decimal& number) {
     all[name] = number.digits() + "e" + std::to_string(number.exponent()) + " " +
                 bits(number.value());
   }
-  template <class T>
-  void operator()(const std::string& name, const std::optional<T>& v) {
+  template <class T> void put(const std::string& name, const std::optional<T>& v) {
     all[name] = "none";
     if (v)
-      (*this)(name, *v);
+      put(name, *v);
   }
-  template <class T> void operator()(const std::string& name, const std::vector<T>& v) {
+  template <class T> void put(const std::string& name, const std::vector<T>& v) {
     all[name] = std::to_string(v.size()) + ":";
     for (const T& value : v)
       all[name] += bits(value);
   }
   template <class D>
-  void operator()(const std::string& name, const Eigen::PlainObjectBase<D>& m) {
+  void put(const std::string& name, const Eigen::PlainObjectBase<D>& m) {
     all[name] = std::to_string(m.rows()) + "x" + std::to_string(m.cols()) + ":";
     for (Eigen::Index i = 0; i < m.size(); ++i)
       all[name] += bits(m.data()[i]);
   }
-  template <class R, class Visit>
-  void records(const std::string& name, const std::vector<R>& list, Visit&& visit) {
-    all[name] = std::to_string(list.size());
-    for (const R& record : list) {
-      auto member = [&](const char* at, const auto& v) { (*this)(name + "/" + at, v); };
-      visit(member, record);
-    }
-  }
-  template <class Map, class Visit>
-  void materials(const std::string& name, const Map& map, Visit&& visit) {
-    all[name] = std::to_string(map.size());
-    for (const auto& [number, material] : map) {
-      auto member = [&](const char* at, const auto& v) { (*this)(name + "/" + at, v); };
-      visit(member, number, material);
-    }
-  }
-
- private:
   template <class T> static std::string bits(const T& value) {
     if constexpr (std::is_same_v<T, std::string>)
       return value + "\n";

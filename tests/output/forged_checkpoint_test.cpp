@@ -91,7 +91,34 @@ class Forger {
   Forger(How how, long wanted) : how_(how), wanted_(wanted) {}
   std::string forged;  ///< name of the forged field, empty if there are no more
 
-  template <Number T> void operator()(const std::string& name, T& value) {
+  template <class T> void operator()(const Field& field, T& value) {
+    forge(field.name, value);
+  }
+  template <class R, class Visit>
+  void records(const Field& field, std::vector<R>& list, Visit&& visit) {
+    auto member = [&](const Field& at, auto& value) {
+      forge(std::string(field.name) + "/" + at.name, value);
+    };
+    for (R& record : list)
+      visit(member, record);
+  }
+  template <class Map, class Visit>
+  void materials(const Field& field, Map& map, Visit&& visit) {
+    auto member = [&](const Field& at, auto& value) {
+      forge(std::string(field.name) + "/" + at.name, value);
+    };
+    Map changed;
+    for (const auto& [key, value] : map) {
+      auto number = key;
+      auto material = value;
+      visit(member, number, material);
+      changed.emplace(number, material);
+    }
+    map = changed;
+  }
+
+ private:
+  template <Number T> void forge(const std::string& name, T& value) {
     // A joint may open without limit.
     const bool may_be_infinite = name == "settings/joint_laws/dilation_limit";
     if (!std::is_same_v<T, bool>)
@@ -99,13 +126,13 @@ class Forger {
         if (!(may_be_infinite && worse > std::numeric_limits<T>::max()) && now(name))
           value = worse;
   }
-  void operator()(const std::string&, std::string&) {}
-  void operator()(const std::string&, geometry::Decimal&) {}
-  template <class T> void operator()(const std::string&, std::optional<T>&) {}
-  template <class T> void operator()(const std::string& name, std::vector<T>& column) {
+  void forge(const std::string&, std::string&) {}
+  void forge(const std::string&, geometry::Decimal&) {}
+  template <class T> void forge(const std::string&, std::optional<T>&) {}
+  template <class T> void forge(const std::string& name, std::vector<T>& column) {
     for (auto&& place : column) {
       T value = place;
-      (*this)(name, value);
+      forge(name, value);
       place = value;
     }
     // These lists may have any length, or are empty because all blocks are convex.
@@ -118,10 +145,9 @@ class Forger {
     if (how_ == How::shorter && now(name))
       column.pop_back();
   }
-  template <class D>
-  void operator()(const std::string& name, Eigen::PlainObjectBase<D>& m) {
+  template <class D> void forge(const std::string& name, Eigen::PlainObjectBase<D>& m) {
     for (Eigen::Index i = 0; i < m.size(); ++i)
-      (*this)(name, m.data()[i]);
+      forge(name, m.data()[i]);
     if constexpr (D::SizeAtCompileTime == Eigen::Dynamic) {
       const Eigen::Index change = how_ == How::longer ? 1 : -1;
       if ((how_ == How::longer || how_ == How::shorter) && now(name)) {
@@ -132,27 +158,6 @@ class Forger {
       }
     }
   }
-  template <class R, class Visit>
-  void records(const std::string& name, std::vector<R>& list, Visit&& visit) {
-    for (R& record : list) {
-      auto member = [&](const char* at, auto& v) { (*this)(name + "/" + at, v); };
-      visit(member, record);
-    }
-  }
-  template <class Map, class Visit>
-  void materials(const std::string& name, Map& map, Visit&& visit) {
-    Map changed;
-    for (const auto& [key, value] : map) {
-      auto number = key;
-      auto material = value;
-      auto member = [&](const char* at, auto& v) { (*this)(name + "/" + at, v); };
-      visit(member, number, material);
-      changed.emplace(number, material);
-    }
-    map = changed;
-  }
-
- private:
   bool now(const std::string& name) {
     if (next_++ != wanted_)
       return false;
@@ -256,7 +261,7 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.mass[1] = -3; }),
             "blocks/mass: value 2 is -3, expected a number above 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1].edge = 99; }),
-            "contacts/edge names number 100 of 8");
+            "contacts/edge: value 2 names number 100 of 8");
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1].edge = 5; }),
             "contact 2 is between a block and itself");
   EXPECT_EQ(message([](Model& m, auto&) { std::swap(m.contacts[0], m.contacts[1]); }),
@@ -291,7 +296,7 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
   EXPECT_EQ(message([](Model& m, auto&) { m.joint_states[1].law = 8; }),
             "joint_states names joint id 8, which has no law");
   EXPECT_EQ(message([](Model& m, auto&) { m.joint_states[1].path = -1; }),
-            "joint_states 2: path is -1, expected a number from 0");
+            "joint_states/path: value 2 is -1, expected a number from 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.drives[0].block = 1; }),
             "drives names block 2, which is not driven");
   EXPECT_EQ(message([](Model& m, auto&) { m.drives[0].spin = 3; }),
@@ -301,7 +306,7 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
   EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].block = 1; }),
             "servos names block 2, which has no drive");
   EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].most = 0; }),
-            "servos/most is 0, expected a number above 0");
+            "servos/most: value 1 is 0, expected a number above 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.servos.push_back(m.servos[0]); }),
             "servo 2 is out of order");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.next[3] = 1; }),
