@@ -2,41 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
-#include "dynamics/kernels/barton_law.hpp"
-#include "dynamics/kernels/coulomb_law.hpp"
-#include "dynamics/kernels/walton_law.hpp"
-#include "geometry/contact_constants.hpp"
+#include "dynamics/kernels/face_length.hpp"
+#include "dynamics/kernels/laws.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-/// Returns the length of joint that a contact stands for in its first step, [L], as
-/// `length_of` of the kernel computes it. acts(at) tells which contacts act.
+/// Returns the length of joint that a contact stands for in its first step, [L].
+/// acts(at) tells which contacts act.
 template <class Acts>
 double length_of(const Blocks& blocks, const CornerOnEdge& at, const Acts& acts) {
-  constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const auto corner = [&](int c) { return Vec2(blocks.corner.col(c)); };
   const int before = blocks.previous[at.corner], after = blocks.next[at.corner];
   const int edge_end = blocks.next[at.edge];
   const Vec2 edge = corner(edge_end) - corner(at.edge);
-  const double square = edge.squaredNorm();
   const double place = (corner(at.corner) - corner(at.edge)).dot(edge);
-  const auto common = [&](const Vec2& side, double low, double high) {
-    const double along = side.dot(edge);
-    const bool faces =
-        along > 0.0 && along * along >= square_of_cosine * side.squaredNorm() * square;
-    return faces ? std::max(0.0, std::min(high, square) - std::max(low, 0.0)) : 0.0;
-  };
+  const EdgeLine<double> line = {edge.x(), edge.y(), edge.squaredNorm(), place};
   const Vec2 from = corner(before) - corner(at.corner);
   const Vec2 to = corner(at.corner) - corner(after);
-  const double reach_from = from.dot(edge), reach_to = to.dot(edge);
   const double share_before = acts({at.edge, before}) ? 0.5 : 1.0;
   const double share_after = acts({edge_end, at.corner}) ? 0.5 : 1.0;
-  const double both = common(from, place, place + reach_from) * share_before +
-                      common(to, place - reach_to, place) * share_after;
-  return 0.5 * both / std::sqrt(square);
+  const double both = common_length(line, from.x(), from.y(), true) * share_before +
+                      common_length(line, to.x(), to.y(), false) * share_after;
+  return 0.5 * both / std::sqrt(line.square);
 }
 
 void unload(ContactEntry& entry) {
@@ -44,13 +33,6 @@ void unload(ContactEntry& entry) {
   contact.normal_elastic = contact.normal_force = 0.0;
   contact.shear_elastic = contact.shear_force = 0.0;
   state.offset = state.closure = state.plastic = 0.0;
-}
-
-/// Returns the stiffness that the contact has in the first step, [F/L].
-double stiffness_of(double old, double per_length, double length, double usual) {
-  const double wanted = per_length * length;
-  const double kept = old > 0.0 ? old : wanted > 0.0 ? wanted : usual;
-  return std::max(wanted, kept);
 }
 
 /// Returns the least slip that mobilises a strength of BARTON of at least the shear
@@ -119,8 +101,7 @@ void ContactLoading::set(ContactEntry& entry, const FaceLoad& load, int law,
                          double length) {
   auto& [contact, state] = entry;
   const Settings& settings = model_.settings;
-  const LawColumns& columns = laws_.columns();
-  const auto i = static_cast<std::size_t>(law);
+  const LawValues<double>& values = laws_.values(law);
   const double depth = depth_below(model_.blocks, load.at);
   contact.normal_elastic = contact.normal_force = load.normal;
   contact.shear_elastic = contact.shear_force = load.shear;
@@ -129,24 +110,21 @@ void ContactLoading::set(ContactEntry& entry, const FaceLoad& load, int law,
     state.failed = true;
   state.law = laws_.id(law);
   state.length = length;
-  state.stiffness = stiffness_of(state.stiffness, columns.normal_stiffness[i], length,
+  state.stiffness = stiffness_of(state.stiffness, values.normal_stiffness, length,
                                  settings.normal_stiffness);
-  state.shear_stiffness =
-      stiffness_of(state.shear_stiffness, columns.shear_stiffness[i], length,
-                   settings.shear_stiffness);
+  state.shear_stiffness = stiffness_of(state.shear_stiffness, values.shear_stiffness,
+                                       length, settings.shear_stiffness);
   double compression = load.normal / state.stiffness;
   if (laws_.bit(law) == walton_bit) {
     // On the line of first loading, a little beyond it so that FN is kept exactly.
     constexpr double beyond = 1.0 + 0x1p-50;
     state.closure = compression * beyond;
-    state.plastic =
-        state.closure - compression / energies_.values_of(law).unloading_ratio;
+    state.plastic = state.closure - compression / values.unloading_ratio;
   } else if (laws_.bit(law) == barton_bit) {
-    const BandisClosure<double> bandis(energies_.values_of(law), length,
-                                       state.stiffness);
+    const BandisClosure<double> bandis(values, length, state.stiffness);
     state.closure = compression = bandis.closure(load.normal);
     state.plastic = 0.0;
-    state.path = mobilising_path(energies_.values_of(law), state, load);
+    state.path = mobilising_path(values, state, load);
   }
   state.offset = std::max(0.0, compression - depth);
 }
@@ -158,18 +136,10 @@ void ContactLoading::test(const ContactEntry& entry, int law) {
   still.overlap = contact.overlap;
   ContactState<double> now = state_of(contact, state);
   ContactForce<double> force{};
-  const LawValues<double> values = energies_.values_of(law);
   constexpr double any_step = 1.0;
-  switch (laws_.bit(law)) {
-  case walton_bit:
-    apply_walton<false>(values, any_step, still, now, force);
-    break;
-  case barton_bit:
-    apply_barton<false>(values, any_step, still, now, force);
-    break;
-  default:
-    apply_coulomb<false>(values, any_step, still, now, force);
-  }
+  each_law(laws_.bit(law), [&]<LawBits kind>(std::integral_constant<LawBits, kind>) {
+    apply_law<kind, false>(laws_.values(law), any_step, still, now, force);
+  });
   const double normal = contact.normal_elastic, shear = contact.shear_elastic;
   const double lost = std::hypot(normal - now.normal, shear - now.shear);
   constexpr double rounding = 1e-9;

@@ -16,8 +16,7 @@ namespace blocks::dynamics {
 class ContactLoading {
  public:
   ContactLoading(Model& model, const LawTable& laws, InSituReport& report)
-      : model_(model), laws_(laws), report_(report), table_(model),
-        energies_(model.settings, laws) {}
+      : model_(model), laws_(laws), report_(report), table_(model) {}
 
   /// Loads the contacts of two blocks: the springs are the forces, and offsets keep
   /// them acting. loads: all loads of the two blocks. They also tell which contacts
@@ -37,7 +36,6 @@ class ContactLoading {
   const LawTable& laws_;
   InSituReport& report_;
   ContactTable table_;
-  SpringEnergies energies_;
 };
 
 }  // namespace blocks::dynamics

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dynamics/kernels/barton_law.hpp"
-#include "dynamics/spring_energy.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -51,7 +50,7 @@ class ServoStiffness {
  public:
   /// missing: [F] >= 0
   ServoStiffness(const Settings& settings, const ContactArrays& arrays, double missing)
-      : settings_(settings), batches_(arrays.batches), energies_(settings, arrays.laws),
+      : settings_(settings), batches_(arrays.batches), laws_(arrays.laws),
         missing_(missing) {}
 
   /// Returns the stiffness of a contact in the direction of the normal, [F/L].
@@ -63,11 +62,11 @@ class ServoStiffness {
       const int row = slot / lane_count, k = slot % lane_count;
       const JointRow& joint = batches_.advanced_joints[row];
       normal = joint.stiffness[k], shear = joint.shear_stiffness[k];
-      const LawBits bit = energies_.bit_of(law);
+      const LawBits bit = laws_.bit(law);
       if (bit == walton_bit)  // It may unload, along the steeper line.
-        normal *= energies_.values_of(law).unloading_ratio;
+        normal *= laws_.values(law).unloading_ratio;
       else if (bit == barton_bit && edge.cosine != 0.0)
-        normal = bandis_tangent(energies_.values_of(law), joint.length[k], normal,
+        normal = bandis_tangent(laws_.values(law), joint.length[k], normal,
                                 batches_.advanced[row].normal_elastic[k] +
                                     missing_ / std::abs(edge.cosine));
     }
@@ -77,7 +76,7 @@ class ServoStiffness {
  private:
   const Settings& settings_;
   const ContactBatches& batches_;
-  SpringEnergies energies_;
+  const LawTable& laws_;
   double missing_;
 };
 

@@ -1,10 +1,6 @@
 #include "dynamics/spring_energy.hpp"
 
-#include <cstddef>
-
-#include "dynamics/kernels/barton_law.hpp"
-#include "dynamics/kernels/coulomb_law.hpp"
-#include "dynamics/kernels/walton_law.hpp"
+#include "dynamics/kernels/laws.hpp"
 
 namespace blocks::dynamics {
 
@@ -18,31 +14,16 @@ ContactState<double> state_of(const Contact& contact, const JointState& state) {
 SpringEnergies::SpringEnergies(const Settings& settings, const LawTable& laws)
     : settings_(settings), laws_(laws) {}
 
-LawValues<double> SpringEnergies::values_of(int law) const {
-  const LawValues<const double*>& all = laws_.columns().values;
-  const auto i = static_cast<std::size_t>(law);
-  return {all.friction[i],          all.cohesion[i],          all.tension[i],
-          all.residual_friction[i], all.residual_cohesion[i], all.residual_tension[i],
-          all.dilation[i],          all.dilation_limit[i],    all.unloading_ratio[i],
-          all.roughness[i],         all.wall_strength[i],     all.residual_angle[i],
-          all.peak_slip[i],         all.largest_closure[i],   all.linear_from[i],
-          all.strength_share[i]};
-}
-
 SpringEnergy SpringEnergies::of(int law, ContactState<double> state) const {
   if (!(state.stiffness > 0.0)) {
     state.stiffness = settings_.normal_stiffness;
     state.shear_stiffness = settings_.shear_stiffness;
   }
-  const double shear = shear_energy(state);
-  switch (bit_of(law)) {
-  case walton_bit:
-    return {walton_energy(values_of(law), state), shear};
-  case barton_bit:
-    return {barton_energy(values_of(law), state), shear};
-  default:
-    return {coulomb_energy(state), shear};
-  }
+  double normal = 0.0;
+  each_law(laws_.bit(law), [&]<LawBits kind>(std::integral_constant<LawBits, kind>) {
+    normal = normal_energy<kind>(laws_.values(law), state);
+  });
+  return {normal, shear_energy(state)};
 }
 
 SpringEnergy SpringEnergies::of(const Contact& contact, const JointState* state) const {

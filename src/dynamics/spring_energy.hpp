@@ -26,11 +26,6 @@ class SpringEnergies {
   /// Returns the energies of a contact of the list. state: null without laws.
   SpringEnergy of(const Contact& contact, const JointState* state) const;
 
-  /// Returns the values of a law. Law 0 has values only after INSITU.
-  LawValues<double> values_of(int law) const;
-  /// Returns the bit of the kind of a law.
-  LawBits bit_of(int law) const { return law == 0 ? coulomb_bit : laws_.bit(law); }
-
  private:
   const Settings& settings_;
   const LawTable& laws_;

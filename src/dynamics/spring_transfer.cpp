@@ -102,10 +102,9 @@ class Choice {
     // The time step is chosen for these stiffnesses. With STIFF an end of a face has
     // two contacts at most.
     const double half = 0.5 * (at(blocks_.next[edge]) - at(edge)).norm();
-    const LawColumns& laws = batches.laws;
-    const auto limit = [&](const double* per_length, double usual) {
-      return has_stiffness_ ? half * per_length[static_cast<std::size_t>(law)]
-                            : 2.0 * usual;
+    const LawValues<double>& values = arrays_.laws.values(law);
+    const auto limit = [&](double per_length, double usual) {
+      return has_stiffness_ ? half * per_length : 2.0 * usual;
     };
     // An end of a face that has opened has no stiffness to pass on.
     const bool opened = !(depth(released_.at) + released_.joint.offset > 0.0);
@@ -116,12 +115,12 @@ class Choice {
         joined({springs.normal_elastic[lane], joints.stiffness[lane]},
                {released_.normal, released_.joint.stiffness}, cosine,
                more(released_.joint.stiffness),
-               limit(laws.normal_stiffness, settings_.normal_stiffness));
+               limit(values.normal_stiffness, settings_.normal_stiffness));
     const Spring shear =
         joined({springs.shear_elastic[lane], joints.shear_stiffness[lane]},
                {released_.shear, released_.joint.shear_stiffness}, cosine,
                more(released_.joint.shear_stiffness),
-               limit(laws.shear_stiffness, settings_.shear_stiffness));
+               limit(values.shear_stiffness, settings_.shear_stiffness));
     const CornerOnEdge place{batches.contacts[row].corner[lane], edge};
     const double offset = is_held_
                               ? std::max(joints.offset[lane],
@@ -250,10 +249,6 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
       put_stiffness(arrays, successor, released[i]);
     else
       batches.set(successor.slot, &ContactStates::starts, true);
-    if (!batches.is(successor.slot, &ContactStates::acts)) {
-      batches.set(successor.slot, &ContactStates::acts, true);
-      batches.set(successor.slot, &ContactStates::starts, true);
-    }
     batches.at(successor.slot, &SpringRow::normal_elastic) = successor.normal;
     if (double& shear = batches.at(successor.slot, &SpringRow::shear_elastic);
         shear == 0.0 || successor.adds())

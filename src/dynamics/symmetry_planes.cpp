@@ -70,10 +70,11 @@ PlaneForce plane_force(const Blocks& blocks, const PlaneContact& contact,
   force.closing = -point_velocity(blocks, b, force.arm).dot(force.inward) - force.lag;
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness, 0.0, dt};
   const double damping = damping_against_fixed(settings, blocks.inertial_mass(b));
-  double shear_elastic = 0.0, shear = 0.0;
-  force.spring = contact.normal_elastic;
-  apply(law, force.spring, shear_elastic, force.closing, 0.0, force.overlap, damping,
-        contact.active ? 0.0 : 1.0, force.normal, shear);
+  ContactState<double> state = usual_state(law, contact.normal_elastic, 0.0);
+  ContactForce<double> forces;
+  const double starts = contact.active ? 0.0 : 1.0;
+  apply_usual(law, {force.closing, 0.0, force.overlap, damping, starts}, state, forces);
+  force.spring = state.normal, force.normal = forces.normal;
   return force;
 }
 

@@ -135,8 +135,12 @@ struct OneContact {
   double normal_elastic = 0.0, shear_elastic = 0.0, normal = 0.0, shear = 0.0;
   void apply(const dynamics::ContactLaw& law, double closing, double sliding,
              double overlap, double damping, bool starting) {
-    dynamics::apply(law, normal_elastic, shear_elastic, closing, sliding, overlap,
-                    damping, starting ? 1.0 : 0.0, normal, shear);
+    auto state = dynamics::usual_state(law, normal_elastic, shear_elastic);
+    dynamics::ContactForce<double> force;
+    dynamics::apply_usual(
+        law, {closing, sliding, overlap, damping, starting ? 1.0 : 0.0}, state, force);
+    normal_elastic = state.normal, shear_elastic = state.shear;
+    normal = force.normal, shear = force.shear;
   }
 };
 

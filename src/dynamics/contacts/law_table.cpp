@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace blocks::dynamics {
 namespace {
@@ -19,17 +20,27 @@ LawBits bit_of(LawKind kind) {
   return coulomb_bit;
 }
 
-/// Returns kni or, for other laws, kn.
-double stiffness_of(const JointLaw& law) {
-  return law.kind == LawKind::barton ? law.initial_stiffness : law.normal_stiffness;
-}
-
-/// Returns the closure at which the tangent kni / (1 - V / vm)^2 reaches knmax, [L].
-double linear_from(const JointLaw& law) {
-  if (law.kind != LawKind::barton)
-    return 0.0;
-  return law.largest_closure *
-         (1.0 - std::sqrt(law.initial_stiffness / law.largest_stiffness));
+/// Returns the values that the kernels need.
+LawValues<double> values_of(const JointLaw& law) {
+  LawValues<double> of = {};
+  of.friction = law.friction, of.residual_friction = law.residual_friction;
+  of.cohesion = law.cohesion, of.residual_cohesion = law.residual_cohesion;
+  of.tension = law.tension, of.residual_tension = law.residual_tension;
+  of.dilation = law.dilation, of.dilation_limit = law.dilation_limit;
+  of.unloading_ratio = 1.0 / (law.restitution * law.restitution);
+  of.roughness = law.roughness, of.wall_strength = law.wall_strength;
+  of.residual_angle = law.residual_angle * std::numbers::pi / 180.0;
+  of.peak_slip = law.peak_slip, of.strength_share = law.strength_share;
+  of.largest_closure = law.largest_closure;
+  const bool is_barton = law.kind == LawKind::barton;
+  // where the tangent kni / (1 - V / vm)^2 reaches knmax
+  of.linear_from =
+      is_barton ? law.largest_closure *
+                      (1.0 - std::sqrt(law.initial_stiffness / law.largest_stiffness))
+                : 0.0;
+  of.normal_stiffness = is_barton ? law.initial_stiffness : law.normal_stiffness;
+  of.shear_stiffness = law.shear_stiffness;
+  return of;
 }
 
 }  // namespace
@@ -50,52 +61,33 @@ void LawTable::make(const Settings& settings, const Blocks& blocks) {
   for (const auto& [id, law] : laws_)
     ids_.push_back(id);
   block_has_.assign(laws_.empty() ? 0 : static_cast<std::size_t>(blocks.size()), 0);
-  if (none())
-    return;
-  for (int c = 0; c < blocks.corners(); ++c)
+  for (int c = 0; c < blocks.corners() && !laws_.empty(); ++c)
     if (number_of(blocks.joint[c]) != 0)
       block_has_[blocks.corner_block[c]] = 1;
 
-  std::vector<JointLaw> all(1);
-  all[0].friction = all[0].residual_friction = friction_;
+  JointLaw usual;
+  usual.friction = usual.residual_friction = friction_;
+  values_.assign(1, values_of(usual));
+  bits_.assign(1, coulomb_bit);
   for (const auto& [id, law] : laws_)
-    all.push_back(law);
-  numbers_.clear();
-  constexpr std::size_t columns = 19;
-  numbers_.reserve(columns * all.size());
-  const auto column = [&](const auto& value) {
-    const double* const begin = numbers_.data() + numbers_.size();
-    for (const JointLaw& law : all)
-      numbers_.push_back(value(law));
-    return begin;
+    values_.push_back(values_of(law)), bits_.push_back(bit_of(law.kind));
+
+  // Column by column: the values, then the bits.
+  const std::size_t count = values_.size();
+  constexpr std::size_t columns = sizeof(LawValues<double>) / sizeof(double) + 1;
+  numbers_.resize(columns * count);
+  for (std::size_t law = 0; law < count; ++law) {
+    double* to = &numbers_[law];
+    const auto put = [&](double value) { *std::exchange(to, to + count) = value; };
+    each_value(put, values_[law]);
+    put(bits_[law]);
+  }
+  const double* begin = numbers_.data();
+  const auto take = [&](const double*& column) {
+    column = std::exchange(begin, begin + count);
   };
-  const auto member = [&](double JointLaw::*value) {
-    return column([&](const JointLaw& law) { return law.*value; });
-  };
-  LawValues<const double*>& values = columns_.values;
-  values.friction = member(&JointLaw::friction);
-  values.cohesion = member(&JointLaw::cohesion);
-  values.tension = member(&JointLaw::tension);
-  values.residual_friction = member(&JointLaw::residual_friction);
-  values.residual_cohesion = member(&JointLaw::residual_cohesion);
-  values.residual_tension = member(&JointLaw::residual_tension);
-  values.dilation = member(&JointLaw::dilation);
-  values.dilation_limit = member(&JointLaw::dilation_limit);
-  values.unloading_ratio = column(
-      [](const JointLaw& law) { return 1.0 / (law.restitution * law.restitution); });
-  values.roughness = member(&JointLaw::roughness);
-  values.wall_strength = member(&JointLaw::wall_strength);
-  values.residual_angle = column([](const JointLaw& law) {
-    return law.residual_angle * std::numbers::pi / 180.0;
-  });
-  values.peak_slip = member(&JointLaw::peak_slip);
-  values.largest_closure = member(&JointLaw::largest_closure);
-  values.linear_from = column(linear_from);
-  values.strength_share = member(&JointLaw::strength_share);
-  columns_.normal_stiffness = column(stiffness_of);
-  columns_.shear_stiffness = member(&JointLaw::shear_stiffness);
-  columns_.bit =
-      column([](const JointLaw& law) { return static_cast<double>(bit_of(law.kind)); });
+  each_value(take, columns_.values);
+  take(columns_.kind);
 }
 
 int LawTable::number_of(int id) const {

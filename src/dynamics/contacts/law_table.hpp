@@ -34,13 +34,14 @@ class LawTable {
   int id(int law) const { return ids_[static_cast<std::size_t>(law)]; }
   /// Returns the number of the law of a joint id; 0: it has none.
   int number_of(int id) const;
-  LawBits bit(int law) const {
-    return static_cast<LawBits>(columns_.bit[static_cast<std::size_t>(law)]);
+  /// Returns the bit of the kind of a law.
+  LawBits bit(int law) const { return bits_[static_cast<std::size_t>(law)]; }
+  /// Returns the values of a law.
+  const LawValues<double>& values(int law) const {
+    return values_[static_cast<std::size_t>(law)];
   }
   /// Returns whether the law has its own stiffness per length.
-  bool has_stiffness(int law) const {
-    return columns_.normal_stiffness[static_cast<std::size_t>(law)] > 0.0;
-  }
+  bool has_stiffness(int law) const { return values(law).normal_stiffness > 0.0; }
   const LawColumns& columns() const { return columns_; }
 
  private:
@@ -50,7 +51,9 @@ class LawTable {
   bool in_situ_ = false;
   std::vector<int> ids_;         ///< (laws) 0 first
   std::vector<char> block_has_;  ///< (blocks) an edge has an id with a law
-  std::vector<double> numbers_;  ///< the columns one after the other
+  std::vector<LawValues<double>> values_ = {{}};  ///< (laws)
+  std::vector<LawBits> bits_ = {coulomb_bit};     ///< (laws)
+  std::vector<double> numbers_;                   ///< the columns one after the other
   LawColumns columns_;
 };
 

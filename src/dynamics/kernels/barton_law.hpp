@@ -116,8 +116,7 @@ template <bool may_start = true, class Number>
   state.normal = closure == before ? state.normal : bandis.force(closure);
   force.normal = positive(Number(state.normal + motion.damping * motion.closing));
 
-  const Number trial =
-      state.shear + closing.share * state.shear_stiffness * motion.sliding * dt;
+  const Number trial = trial_shear(dt, closing.share, motion, state);
   const Number bent = magnitude(trial) / state.shear_stiffness;
   const Number moved = state.path + (state.shear_stiffness > 0.0 ? bent : none);
   const RoughStrength<Number> rough =

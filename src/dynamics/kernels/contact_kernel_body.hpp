@@ -7,16 +7,6 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// Returns the state of a contact without the law of a joint.
-BLOCKS_INLINE ContactState<Pack> usual_state(const ContactLaw& law, Pack normal,
-                                             Pack shear) {
-  ContactState<Pack> state = {};
-  state.normal = normal, state.shear = shear, state.failed = all_of(1.0);
-  state.stiffness = all_of(law.normal_stiffness);
-  state.shear_stiffness = all_of(law.shear_stiffness);
-  return state;
-}
-
 /// Steps b. to e. for row s of a batch without laws of joints.
 template <bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
@@ -32,33 +22,31 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
 
   // Steps b. to d.
   const SpringRow& springs = batches.springs[s];
-  Pack normal_elastic = load(springs.normal_elastic, i);
-  Pack shear_elastic = load(springs.shear_elastic, i);
-  Pack normal, shear;
-  const Pack closing = -(vx * nx + vy * ny), sliding = vx * at.tx + vy * at.ty;
+  const ContactState<Pack> before =
+      usual_state(law, load(springs.normal_elastic, i), load(springs.shear_elastic, i));
+  const ContactMotion<Pack> motion = {-(vx * nx + vy * ny), vx * at.tx + vy * at.ty,
+                                      at.overlap, damping,
+                                      where(choice_of(starts), all_of(1.0))};
+  ContactState<Pack> state = before;
+  ContactForce<Pack> force;
   if (starts != 0)
-    apply(law, normal_elastic, shear_elastic, closing, sliding, at.overlap, damping,
-          where(choice_of(starts), all_of(1.0)), normal, shear);
+    apply_usual<true>(law, motion, state, force);
   else
-    apply<false>(law, normal_elastic, shear_elastic, closing, sliding, at.overlap,
-                 damping, Pack{}, normal, shear);
+    apply_usual<false>(law, motion, state, force);
   if (batches.has_account)
     works.add(
-        acts, law.dt, at, v,
-        {closing, sliding, at.overlap, damping, where(choice_of(starts), all_of(1.0))},
-        usual_state(law, load(springs.normal_elastic, i),
-                    load(springs.shear_elastic, i)),
-        usual_state(law, normal_elastic, shear_elastic), {normal, shear}, Pack{},
-        [](const ContactState<Pack>& state)
-            __attribute__((always_inline)) { return coulomb_energy(state); });
-  normal_elastic = where(acts, normal_elastic);
+        acts, law.dt, at, v, motion, before, state, force, Pack{},
+        [](const ContactState<Pack>& of)
+            __attribute__((always_inline)) { return coulomb_energy(of); });
+  const Pack normal_elastic = where(acts, state.normal);
   SpringRow& advanced = batches.advanced[s];
   store(advanced.normal_elastic, i, normal_elastic);
-  store(advanced.shear_elastic, i, where(acts, shear_elastic));
+  store(advanced.shear_elastic, i, where(acts, state.shear));
   const Pack reached = where(acts, at.overlap);
   most.include(reached, normal_elastic);
 
-  add_forces<rigid, readings>(batches, s, two, at, acts, normal, shear, i, sums);
+  add_forces<rigid, readings>(batches, s, two, at, acts, force.normal, force.shear, i,
+                              sums);
 }
 
 /// Returns whether contacts in some lanes of rows [first, last), `count` of them from
@@ -76,16 +64,13 @@ BLOCKS_INLINE bool is_unsettled(const BatchArrays& batches, int first, int last,
   return (open >> i & ((1U << count) - 1)) != 0;
 }
 
-/// The kind of batches without laws of joints, beside LawBits and 0 for several laws.
-constexpr LawBits usual_kind = ~LawBits{};
-
 /// Computes the contacts in the lanes of a pack. The length of a contact with a law
 /// depends on which others act, so no forces are computed after a row with laws that
 /// has yet to be settled.
-template <LawBits kind, bool find, bool rigid, bool readings>
+template <LawBits laws, bool find, bool rigid, bool readings>
 Most act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
                const ContactLaw& law, int i) {
-  constexpr bool has_laws = kind != usual_kind, stresses = readings || !rigid;
+  constexpr bool has_laws = laws != no_law, stresses = readings || !rigid;
   const BatchPairs& pairs = batches.pairs[batch];
   const Pairs<rigid> two(pairs, blocks, law.dt, i);
   const Pack damping = load(pairs.damping, i);
@@ -96,7 +81,7 @@ Most act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
   // divisions have a long latency, and those of several rows overlap.
   constexpr int at_once = 4;
   Frame frames[at_once];
-  EdgeLine edges[has_laws ? at_once : 1];
+  EdgeLine<Pack> edges[has_laws ? at_once : 1];
   bool settled = true;
   const int end = pairs.first_row + pairs.rows;
   for (int first = pairs.first_row; first < end; first += at_once) {
@@ -109,7 +94,7 @@ Most act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
         find_acting(batches.tests[s], batches.states[s], sides, i);
       frames[s - first] = frame_of(sides, batches.tests[s], i);
       if constexpr (has_laws)
-        edges[s - first] = EdgeLine(sides);
+        edges[s - first] = edge_line(sides);
     }
     if constexpr (find && has_laws) {
       settled = settled && !is_unsettled<true>(batches, first, last, i, width);
@@ -119,7 +104,7 @@ Most act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
     for (int s = first; s < last; ++s) {
       const Frame& frame = frames[s - first];
       if constexpr (has_laws)
-        act_joint_row<kind, rigid, readings>(batches, batch, s, edges[s - first], frame,
+        act_joint_row<laws, rigid, readings>(batches, batch, s, edges[s - first], frame,
                                              blocks, two, damping, law, i, sums, most,
                                              works);
       else
@@ -137,22 +122,17 @@ template <bool find, bool rigid, bool readings>
 Most act_any_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
                    const ContactLaw& law, int i) {
   const BatchPairs& pairs = batches.pairs[batch];
-  const auto act = [&]<LawBits kind>(std::integral_constant<LawBits, kind>)
+  const auto act = [&]<LawBits laws>(std::integral_constant<LawBits, laws>)
       __attribute__((always_inline)) {
-    return act_batch<kind, find, rigid, readings>(batches, batch, blocks, law, i);
+    return act_batch<laws, find, rigid, readings>(batches, batch, blocks, law, i);
   };
   if (!pairs.has_laws)
-    return act(std::integral_constant<LawBits, usual_kind>());
-  switch (pairs.laws) {
-  case coulomb_bit:
-    return act(std::integral_constant<LawBits, coulomb_bit>());
-  case walton_bit:
-    return act(std::integral_constant<LawBits, walton_bit>());
-  case barton_bit:
-    return act(std::integral_constant<LawBits, barton_bit>());
-  default:
-    return act(std::integral_constant<LawBits, 0>());
-  }
+    return act(std::integral_constant<LawBits, no_law>());
+  if (!is_one_law(pairs.laws))
+    return act(std::integral_constant<LawBits, all_laws>());
+  Most most;
+  each_law(pairs.laws, [&](auto one) { most = act(one); });
+  return most;
 }
 
 template <bool find, bool rigid, bool readings>

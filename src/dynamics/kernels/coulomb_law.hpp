@@ -14,11 +14,11 @@ template <class Number>
   return law.dilation * (length < law.dilation_limit ? length : law.dilation_limit);
 }
 
-/// Advances `state` by one step and computes `force`, [F]. Without cohesion, tension
-/// and dilation, with equal peak and residual friction and unbonded, the result has the
-/// bits of `apply` in contact_law.hpp. may_start: false if motion.starting is known to
-/// be 0.
-template <bool may_start = true, class Number>
+/// Advances `state` by one step and computes `force`, [F]. may_start: false if
+/// motion.starting is known to be 0. friction_only: there is no strength but friction
+/// and no dilation, and the contact is not bonded. The result has the same bits then,
+/// but the code is shorter.
+template <bool may_start = true, bool friction_only = false, class Number>
 [[gnu::always_inline]] inline void
 apply_coulomb(const LawValues<Number>& law, double dt,
               const ContactMotion<Number>& motion, ContactState<Number>& state,
@@ -32,7 +32,10 @@ apply_coulomb(const LawValues<Number>& law, double dt,
     const Number capped = state.normal < most ? state.normal : most;
     state.normal = closing.begins > 0.0 ? capped : state.normal;
   }
-
+  if constexpr (friction_only) {
+    apply_friction(law, dt, closing.share, motion, state, force);
+    return;
+  }
   const Number before = opening(law, state.slip);
   apply_strength(law, dt, closing.share, motion, state, force);
   // What the joint has risen presses from the next step on. Sliding back takes it back.

@@ -1,10 +1,10 @@
 // The data of contacts with the laws of joints, in the layout of the kernels
-// (contact_batch.hpp). Only models with a JOINT card have these arrays.
+// (contact_batch.hpp). Only models with laws or INSITU have these arrays.
 #pragma once
 
 #include <cstdint>
 
-#include "dynamics/kernels/joint_contact.hpp"
+#include "dynamics/kernels/laws.hpp"
 
 namespace blocks::dynamics {
 
@@ -40,16 +40,10 @@ struct alignas(64) JointRow {
 #undef BLOCKS_MEMBER
 };
 
-/// Which laws occur in a batch, one bit for each LawKind. 0: STIFF and FRICTN only.
-using LawBits = unsigned;
-inline constexpr LawBits coulomb_bit = 1, walton_bit = 2, barton_bit = 4;
-
 /// The values of all laws, law by law. Law 0 is that of STIFF and FRICTN.
 struct LawColumns {
   LawValues<const double*> values = {};
-  /// [F/L^3] per length of the contact; 0: STIFF
-  const double *normal_stiffness = nullptr, *shear_stiffness = nullptr;
-  const double* bit = nullptr;  ///< bit of the law's kind, as a number
+  const double* kind = nullptr;  ///< bit of the law's kind, as a number
 };
 
 }  // namespace blocks::dynamics

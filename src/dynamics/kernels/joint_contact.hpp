@@ -2,24 +2,10 @@
 // (docs/laws.md). A Number is a number of one contact, or of all lanes of a vector.
 #pragma once
 
+#include "dynamics/kernels/law_values.hpp"
 #include "model/joint_state.hpp"
 
 namespace blocks::dynamics {
-
-/// The values of JointLaw of one contact. [F] force, [L] length.
-template <class Number> struct LawValues {
-  Number friction, cohesion, tension;  ///< coefficient, [F/L^2]
-  Number residual_friction, residual_cohesion, residual_tension;
-  Number dilation, dilation_limit;  ///< tangent, [L]
-  /// Walton: K2 / K1 = 1 / e^2
-  Number unloading_ratio;
-  /// Barton: JRC, JCS [F/L^2], phi_r in radians (at most 70 degrees), upeak [L]
-  Number roughness, wall_strength, residual_angle, peak_slip;
-  /// Bandis: vm [L]; vm (1 - sqrt(kni / knmax)) [L], where the tangent reaches knmax
-  Number largest_closure, linear_from;
-  /// Barton: JointLaw::strength_share
-  Number strength_share;
-};
 
 /// How the two blocks move at a contact in this step.
 template <class Number> struct ContactMotion {

@@ -1,10 +1,8 @@
 // The forces of batches with laws of joints (docs/laws.md). Included once for each
 // instruction set, in a namespace of its own.
-#include "dynamics/kernels/barton_law.hpp"
 #include "dynamics/kernels/contact_frame_body.hpp"
 #include "dynamics/kernels/contact_law.hpp"
-#include "dynamics/kernels/coulomb_law.hpp"
-#include "dynamics/kernels/walton_law.hpp"
+#include "dynamics/kernels/face_length.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
@@ -37,14 +35,9 @@ BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
   store(states.in_doubt, i, load(states.in_doubt, i) & ~held);
 }
 
-/// The edge of a contact and where its corner is along it.
-struct EdgeLine {
-  Pack ex, ey, square;  ///< [L], [L], [L^2] the edge and the square of its length
-  Pack at;              ///< [L^2] position of the corner, times the length
-  BLOCKS_INLINE EdgeLine() = default;
-  BLOCKS_INLINE explicit EdgeLine(const Sides& of)
-      : ex(of.ex), ey(of.ey), square(of.square), at(of.cx * of.ex + of.cy * of.ey) {}
-};
+BLOCKS_INLINE EdgeLine<Pack> edge_line(const Sides& of) {
+  return {of.ex, of.ey, of.square, of.cx * of.ex + of.cy * of.ey};
+}
 
 /// The part of the faces that each contact of a row stands for.
 struct FaceLength {
@@ -52,59 +45,35 @@ struct FaceLength {
   Pack alone;   ///< [L] L if no other contact acts at the same ends
 };
 
-/// Returns the lengths of row s. The side before the corner and the side after it form
-/// a face with the edge if they run in the opposite direction and overlap it in
-/// projection.
-BLOCKS_INLINE FaceLength length_of(const FaceRow& faces, const EdgeLine& edge,
+/// Returns the lengths of row s.
+BLOCKS_INLINE FaceLength length_of(const FaceRow& faces, const EdgeLine<Pack>& edge,
                                    const Frame& corner, const BlockState& blocks,
                                    int i) {
-  constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const Point before = gather_point<2>(blocks.corner, faces.before + i);
   const Point after = gather_point<2>(blocks.corner, faces.after + i);
-  const Pack from_x = before[0] - corner.x, from_y = before[1] - corner.y;
-  const Pack to_x = corner.x - after[0], to_y = corner.y - after[1];
-  // Positions along the edge, from its start, times its length.
-  const Pack from = from_x * edge.ex + from_y * edge.ey;
-  const Pack to = to_x * edge.ex + to_y * edge.ey;
-  const Pack none = {};
-  const auto length = [&](Pack along, Pack x, Pack y, Pack low, Pack high)
-      __attribute__((always_inline)) {
-    const Pack start = low > 0.0 ? low : none;
-    const Pack end = high < edge.square ? high : edge.square;
-    const Pack square = x * x + y * y;
-    const Pack common = end > start ? end - start : none;
-    const Pack faced =
-        along * along >= square_of_cosine * square * edge.square ? common : none;
-    return along > 0.0 ? faced : none;
-  };
+  const Pack length_before =
+      common_length(edge, Pack(before[0] - corner.x), Pack(before[1] - corner.y), true);
+  const Pack length_after =
+      common_length(edge, Pack(corner.x - after[0]), Pack(corner.y - after[1]), false);
   const auto share = [&](LaneBits shared) __attribute__((always_inline)) {
     return where(choice_of(load(shared, i)), all_of(0.5), all_of(1.0));
   };
-  const Pack length_before = length(from, from_x, from_y, edge.at, edge.at + from);
-  const Pack length_after = length(to, to_x, to_y, edge.at - to, edge.at);
   const Pack both = length_before * share(faces.shared_before) +
                     length_after * share(faces.shared_after);
   return {0.5 * both * corner.per_length,
           0.5 * (length_before + length_after) * corner.per_length};
 }
 
-/// Returns the values of a column for the laws of a row. only: the law of all lanes;
-/// -1: several.
-BLOCKS_INLINE Pack law_value(const double* column, const int* law, int only) {
-  return only >= 0 ? all_of(column[only]) : gather(column, law);
-}
+/// Returns the values of the laws of a row. only: the law of all lanes; -1: several.
 BLOCKS_INLINE LawValues<Pack> values_of(const LawColumns& laws, const int* law,
                                         int only) {
-  const auto at = [&](const double* column) __attribute__((always_inline)) {
-    return law_value(column, law, only);
-  };
-  const LawValues<const double*>& of = laws.values;
-  return {at(of.friction),          at(of.cohesion),          at(of.tension),
-          at(of.residual_friction), at(of.residual_cohesion), at(of.residual_tension),
-          at(of.dilation),          at(of.dilation_limit),    at(of.unloading_ratio),
-          at(of.roughness),         at(of.wall_strength),     at(of.residual_angle),
-          at(of.peak_slip),         at(of.largest_closure),   at(of.linear_from),
-          at(of.strength_share)};
+  LawValues<Pack> values;
+  each_value(
+      [&](Pack & value, const double* column) __attribute__((always_inline)) {
+        value = only >= 0 ? all_of(column[only]) : gather(column, law);
+      },
+      values, laws.values);
+  return values;
 }
 
 /// Returns the states at the start of the step. A contact without bond is born with the
@@ -134,15 +103,6 @@ BLOCKS_INLINE void store_state(const BatchArrays& batches, int batch, int s, int
   each_state(put, batches.advanced_joints[s], state);
 }
 
-/// Returns the stiffness of a contact, [F/L]. It grows with the length, but does not
-/// shrink. per_length: [F/L^3], 0 for `usual`, the stiffness of STIFF.
-BLOCKS_INLINE Pack stiffness_of(Pack old, Pack per_length, Pack length, double usual) {
-  const Pack wanted = per_length * length;
-  const Pack fresh = wanted > 0.0 ? wanted : all_of(usual);
-  const Pack kept = old > 0.0 ? old : fresh;
-  return wanted > kept ? wanted : kept;
-}
-
 /// Returns by how much the dashpot of a contact is weaker because another contact acts
 /// at the same end. Its constant goes with the root of its stiffness, so two halves of
 /// an end would have stronger dashpots than the whole.
@@ -168,78 +128,58 @@ BLOCKS_INLINE Pack root_of_stiffness(DashpotRow& row, Pack stiffness, double usu
   return load(row.root, i);
 }
 
-/// Applies one kind of law. may_start: false if motion.starting is known to be 0.
-template <LawBits kind, bool may_start>
-BLOCKS_INLINE void apply_law(const LawValues<Pack>& values, double dt,
-                             const ContactMotion<Pack>& motion,
-                             ContactState<Pack>& state, ContactForce<Pack>& force) {
-  if constexpr (kind == coulomb_bit)
-    apply_coulomb<may_start>(values, dt, motion, state, force);
-  else if constexpr (kind == walton_bit)
-    apply_walton<may_start>(values, dt, motion, state, force);
-  else
-    apply_barton<may_start>(values, dt, motion, state, force);
+/// Applies the laws of a row. laws: the kinds that may occur; kinds: that of each lane.
+template <LawBits laws>
+BLOCKS_INLINE void apply_laws(LawBits present, Pack kinds,
+                              const LawValues<Pack>& values, double dt,
+                              const ContactMotion<Pack>& motion, bool starts,
+                              ContactState<Pack>& state, ContactForce<Pack>& force) {
+  if constexpr (is_one_law(laws)) {
+    if (starts)
+      apply_law<laws, true>(values, dt, motion, state, force);
+    else
+      apply_law<laws, false>(values, dt, motion, state, force);
+  } else {
+    const ContactState<Pack> start = state;
+    each_law(
+        present, [&]<LawBits law>(std::integral_constant<LawBits, law>)
+                     __attribute__((always_inline)) {
+                       ContactState<Pack> own = start;
+                       ContactForce<Pack> of = {};
+                       apply_law<law, true>(values, dt, motion, own, of);
+                       const auto put = [&](Pack & to, const Pack& x)
+                           __attribute__((always_inline)) {
+                         to = kinds == static_cast<double>(law) ? x : to;
+                       };
+                       put(force.normal, of.normal), put(force.shear, of.shear);
+                       put(state.normal, own.normal), put(state.shear, own.shear);
+                       each_state(put, state, own);
+                     });
+  }
 }
 
-/// Applies one kind of law in its lanes of a batch with several kinds.
-template <LawBits kind>
-BLOCKS_INLINE void
-apply_in_lanes(LawBits laws, Pack kind_of_lane, const LawValues<Pack>& values,
-               double dt, const ContactMotion<Pack>& motion,
-               const ContactState<Pack>& start, ContactState<Pack>& state,
-               ContactForce<Pack>& force) {
-  if ((laws & kind) == 0)
-    return;
-  ContactState<Pack> own = start;
-  ContactForce<Pack> of = {};
-  apply_law<kind, true>(values, dt, motion, own, of);
-  const auto put = [&](Pack & to, const Pack& x) __attribute__((always_inline)) {
-    to = kind_of_lane == static_cast<double>(kind) ? x : to;
-  };
-  put(force.normal, of.normal), put(force.shear, of.shear);
-  put(state.normal, own.normal), put(state.shear, own.shear);
-  each_state(put, state, own);
-}
-
-/// Returns the energy of the normal springs. kind: the only kind of law; 0: `kinds`.
-template <LawBits kind>
+/// Returns the energy of the normal springs of a row.
+template <LawBits laws>
 BLOCKS_INLINE Pack energy_of(Pack kinds, const LawValues<Pack>& values,
                              const ContactState<Pack>& state) {
-  if constexpr (kind == coulomb_bit)
-    return coulomb_energy(state);
-  else if constexpr (kind == walton_bit)
-    return walton_energy(values, state);
-  else if constexpr (kind == barton_bit)
-    return barton_energy(values, state);
-  else
-    return kinds == static_cast<double>(barton_bit)   ? barton_energy(values, state)
-           : kinds == static_cast<double>(walton_bit) ? walton_energy(values, state)
-                                                      : coulomb_energy(state);
-}
-/// Adds what the contacts of row s do with their work.
-template <LawBits kind, bool rigid>
-BLOCKS_INLINE void
-add_joint_work(WorkSums<rigid>& works, const BatchArrays& batches, int s, int i,
-               Choice acts, double dt, const Frame& at, const Point& v,
-               const ContactMotion<Pack>& motion, const LawValues<Pack>& values,
-               const ContactState<Pack>& after, const ContactForce<Pack>& force) {
-  ContactState<Pack> before = load_state(batches, s, i);
-  before.stiffness = after.stiffness, before.shear_stiffness = after.shear_stiffness;
-  before.length = after.length;
-  const Pack kinds =
-      kind != 0 ? all_of(kind) : gather(batches.laws.bit, batches.faces[s].law + i);
-  works.add(
-      acts, dt, at, v, motion, before, after, force,
-      kinds == static_cast<double>(walton_bit) ? all_of(1.0) : Pack{},
-      [&](const ContactState<Pack>& state) __attribute__((always_inline)) {
-        return energy_of<kind>(kinds, values, state);
-      });
+  if constexpr (is_one_law(laws)) {
+    return normal_energy<laws>(values, state);
+  } else {
+    Pack energy = {};
+    each_law(
+        laws, [&]<LawBits law>(std::integral_constant<LawBits, law>)
+                  __attribute__((always_inline)) {
+                    const Pack of_law = normal_energy<law>(values, state);
+                    energy = kinds == static_cast<double>(law) ? of_law : energy;
+                  });
+    return energy;
+  }
 }
 
-/// Steps a. to e. for row s. kind: the only kind of law in the batch; 0: several.
-template <LawBits kind, bool rigid, bool readings, class Sums>
+/// Steps a. to e. for row s. laws: the kinds that may occur.
+template <LawBits laws, bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
-                                 const EdgeLine& edge, const Frame& at,
+                                 const EdgeLine<Pack>& edge, const Frame& at,
                                  const BlockState& blocks, const Pairs<rigid>& two,
                                  Pack damping, const ContactLaw& usual, int i,
                                  Sums& sums, Most& most, WorkSums<rigid>& works) {
@@ -257,44 +197,36 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
   const FaceLength face = length_of(batches.faces[s], edge, at, blocks, i);
   state.length = where(acts, face.length);
   const int* const law = batches.faces[s].law + i;
-
-  const LawColumns& laws = batches.laws;
-  const Pack per_area = law_value(laws.normal_stiffness, law, pairs.only_law);
-  state.stiffness =
-      stiffness_of(state.stiffness, per_area, state.length, usual.normal_stiffness);
-  state.shear_stiffness = stiffness_of(
-      state.shear_stiffness, law_value(laws.shear_stiffness, law, pairs.only_law),
-      state.length, usual.shear_stiffness);
+  const LawValues<Pack> values = values_of(batches.laws, law, pairs.only_law);
+  state.stiffness = stiffness_of(state.stiffness, values.normal_stiffness, state.length,
+                                 all_of(usual.normal_stiffness));
+  state.shear_stiffness = stiffness_of(state.shear_stiffness, values.shear_stiffness,
+                                       state.length, all_of(usual.shear_stiffness));
 
   // Idle lanes have no motion, so that their numbers need no rare paths.
   const ContactMotion<Pack> motion = {
       where(acts, -(v[0] * -at.ty + v[1] * at.tx)),
       where(acts, v[0] * at.tx + v[1] * at.ty), at.overlap,
-      damping * dashpot_share(per_area, face, acting) *
+      damping * dashpot_share(values.normal_stiffness, face, acting) *
           root_of_stiffness(batches.dashpots[s], state.stiffness,
                             usual.normal_stiffness, acting, i),
       where(choice_of(starts), all_of(1.0))};
-  const LawValues<Pack> values = values_of(laws, law, pairs.only_law);
+  const Pack kinds = is_one_law(laws) ? all_of(laws) : gather(batches.laws.kind, law);
   ContactForce<Pack> force = {};
-  if constexpr (kind != 0) {
-    if (starts != 0)
-      apply_law<kind, true>(values, usual.dt, motion, state, force);
-    else
-      apply_law<kind, false>(values, usual.dt, motion, state, force);
-  } else {
-    const ContactState<Pack> start = state;
-    const Pack kinds = gather(laws.bit, law);
-    apply_in_lanes<coulomb_bit>(pairs.laws, kinds, values, usual.dt, motion, start,
-                                state, force);
-    apply_in_lanes<walton_bit>(pairs.laws, kinds, values, usual.dt, motion, start,
-                               state, force);
-    apply_in_lanes<barton_bit>(pairs.laws, kinds, values, usual.dt, motion, start,
-                               state, force);
-  }
+  apply_laws<laws>(pairs.laws, kinds, values, usual.dt, motion, starts != 0, state,
+                   force);
   store_state(batches, batch, s, i, acts, state);
-  if (batches.has_account)
-    add_joint_work<kind>(works, batches, s, i, acts, usual.dt, at, v, motion, values,
-                         state, force);
+  if (batches.has_account) {
+    ContactState<Pack> before = load_state(batches, s, i);
+    before.stiffness = state.stiffness, before.shear_stiffness = state.shear_stiffness;
+    before.length = state.length;
+    works.add(
+        acts, usual.dt, at, v, motion, before, state, force,
+        kinds == static_cast<double>(walton_bit) ? all_of(1.0) : Pack{},
+        [&](const ContactState<Pack>& of) __attribute__((always_inline)) {
+          return energy_of<laws>(kinds, values, of);
+        });
+  }
   // The run judges springs by the stiffness of STIFF, so it gets the force that would
   // press in a contact of STIFF as far. FN / k would say too much: a contact that
   // received a spring has more force than its overlap.

@@ -101,6 +101,29 @@ template <class Number>
   state.normal = state.bonded > 0.0 ? state.normal : positive(state.normal);
 }
 
+/// Returns the shear spring at the end of the step if it does not slip, [F].
+template <class Number>
+[[gnu::always_inline]] inline Number trial_shear(double dt, const Number& share,
+                                                 const ContactMotion<Number>& motion,
+                                                 const ContactState<Number>& state) {
+  return state.shear + share * state.shear_stiffness * motion.sliding * dt;
+}
+
+/// Computes the forces of the advanced normal spring `state.normal` if there is no
+/// strength but friction, and advances the shear spring.
+template <class Number>
+[[gnu::always_inline]] inline void
+apply_friction(const LawValues<Number>& law, double dt, const Number& share,
+               const ContactMotion<Number>& motion, ContactState<Number>& state,
+               ContactForce<Number>& force) {
+  force.normal = positive(Number(state.normal + motion.damping * motion.closing));
+  const Shear<Number> shear = limit_shear(
+      trial_shear(dt, share, motion, state), Number(law.friction * force.normal),
+      Number(motion.damping * motion.sliding), state.shear_stiffness);
+  state.shear = shear.spring;
+  force.shear = shear.force;
+}
+
 /// Applies the strengths of Mohr and Coulomb to the advanced normal spring
 /// `state.normal`, and advances the shear spring. The strength in tension is tested
 /// first. A contact that fails gets its residual values in the same step.
@@ -114,8 +137,7 @@ apply_strength(const LawValues<Number>& law, double dt, const Number& share,
   const Number least = -(tension * state.length);
   state.failed = state.normal < least ? whole : state.failed;
 
-  const Number trial =
-      state.shear + share * state.shear_stiffness * motion.sliding * dt;
+  const Number trial = trial_shear(dt, share, motion, state);
   const Number dashpot = motion.damping * motion.sliding;
   const auto limited = [&](Shear<Number> & shear) __attribute__((always_inline)) {
     release(law, state);

@@ -3,7 +3,7 @@
 // sets.
 #pragma once
 
-#include "dynamics/kernels/joint_contact.hpp"
+#include "dynamics/kernels/laws.hpp"
 
 namespace blocks::dynamics {
 
@@ -20,9 +20,8 @@ struct EightContacts {
   alignas(64) double energy[8];
 };
 
-/// Advances eight contacts by one step. kind: 0 apply_coulomb, 1 apply_walton,
-/// 2 apply_barton.
-using AdvanceEight = void(EightContacts& contacts, int kind, double dt);
+/// Advances eight contacts by one step with the law of a kind.
+using AdvanceEight = void(EightContacts& contacts, LawBits kind, double dt);
 
 AdvanceEight advance_one_by_one, advance_baseline;
 #ifdef BLOCKS_X86_KERNELS

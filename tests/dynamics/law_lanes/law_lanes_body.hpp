@@ -1,8 +1,5 @@
 // Defines the function BLOCKS_ADVANCE of law_lanes.hpp with vectors of
 // BLOCKS_LANES_AT_ONCE numbers.
-#include "dynamics/kernels/barton_law.hpp"
-#include "dynamics/kernels/coulomb_law.hpp"
-#include "dynamics/kernels/walton_law.hpp"
 #include "dynamics/law_lanes/law_lanes.hpp"
 
 namespace blocks::dynamics {
@@ -30,7 +27,7 @@ template <template <class> class Of>
 
 }  // namespace
 
-void BLOCKS_ADVANCE(EightContacts& contacts, int kind, double dt) {
+void BLOCKS_ADVANCE(EightContacts& contacts, LawBits kind, double dt) {
   for (int k = 0; k < 8; k += BLOCKS_LANES_AT_ONCE) {
     LawValues<Lanes> law;
     ContactMotion<Lanes> motion;
@@ -39,17 +36,13 @@ void BLOCKS_ADVANCE(EightContacts& contacts, int kind, double dt) {
     load(law, contacts.law, k);
     load(motion, contacts.motion, k);
     load(state, contacts.state, k);
-    Lanes energy;
-    if (kind == 0) {
-      apply_coulomb(law, dt, motion, state, force);
-      energy = coulomb_energy(state);
-    } else if (kind == 1) {
-      apply_walton(law, dt, motion, state, force);
-      energy = walton_energy(law, state);
-    } else {
-      apply_barton(law, dt, motion, state, force);
-      energy = barton_energy(law, state);
-    }
+    Lanes energy = {};
+    each_law(
+        kind, [&]<LawBits one>(std::integral_constant<LawBits, one>)
+                  __attribute__((always_inline)) {
+                    apply_law<one, true>(law, dt, motion, state, force);
+                    energy = normal_energy<one>(law, state);
+                  });
     energy += shear_energy(state);
     store(state, contacts.state, k);
     store(force, contacts.force, k);
