@@ -6,13 +6,16 @@
 #include "dynamics/contacts/contact_list.hpp"
 #include "dynamics/face_ends.hpp"
 #include "dynamics/kernels/kernels.hpp"
+#include "dynamics/workspace.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-ContactLaw law_of(const Settings& settings, double dt) {
-  return {settings.normal_stiffness, settings.shear_stiffness, settings.friction, dt};
+ContactLaw law_of(const Model& model) {
+  const Settings& settings = model.settings;
+  return {settings.normal_stiffness, settings.shear_stiffness, settings.friction,
+          model.time_step.dt};
 }
 
 /// Calls visit(slot) for each slot of a batch whose bit in `marks` is set.
@@ -70,29 +73,45 @@ void find_broken(const ContactArrays& arrays, int batch, std::vector<int>& broke
       }
 }
 
+/// Writes the sums f_i x_j of the contacts of each block.
+void sum_stresses(Blocks& blocks, Workspace& work) {
+  work.workers->each(work.split.blocks, [&](int, int begin, int end) {
+    for (int b = begin; b < end; ++b) {
+      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+      work.contacts.each_lane_of(b, [&](unsigned lane, bool is_low) {
+        const PairStress& of = work.contacts.batches.stresses[lane];
+        for (int i = 0; i < 4; ++i)
+          sum[i] += is_low ? of.low[i] : of.high[i];
+      });
+      blocks.applied.col(b) = sum;
+    }
+  });
+}
+
 }  // namespace
 
-Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, double dt,
-                             ContactArrays& arrays, bool transfers_springs,
-                             const WorkSplit& split, Workers& workers,
-                             ForceMemory& memory) {
-  const ContactLaw law = law_of(settings, dt);
+Extremes find_contact_forces(const Model& model, Workspace& work) {
+  const Blocks& blocks = model.blocks;
+  const ContactLaw law = law_of(model);
   const BlockState state = state_of(blocks);
+  ContactArrays& arrays = work.contacts;
   ContactBatches& batches = arrays.batches;
-  const auto act = [&](int batch) {
-    return kernels().compute_forces(batches, state, law, settings.rigid, false, batch,
-                                    batch + 1);
+  ForceMemory& memory = work.forces;
+  const bool rigid = model.settings.rigid;
+  const auto compute = [&](ForceThread& thread, int batch) {
+    thread.extremes.include(
+        kernels().compute_forces(batches, state, law, rigid, false, batch, batch + 1));
   };
-  workers.each(split.batches, [&](int k, int begin, int end) {
+  work.workers->each(work.split.batches, [&](int k, int begin, int end) {
     ForceThread& thread = memory.threads[k];
-    thread.extremes.include(kernels().test_and_compute_forces(
-        batches, state, law, settings.rigid, begin, end));
+    thread.extremes.include(
+        kernels().test_and_compute_forces(batches, state, law, rigid, begin, end));
     for (int batch = begin; batch < end; ++batch) {
       if (batches.marks[batch].unsettled) {
         settle_doubts(blocks, batches, batch);
         if (batches.pairs[batch].has_laws)
           share_ends(blocks, arrays, batch);
-        thread.extremes.include(act(batch));
+        compute(thread, batch);
       }
       if (batches.marks[batch].ends)
         release_springs(arrays, batch, thread.released);
@@ -105,67 +124,59 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
     released.insert(released.end(), thread.released.begin(), thread.released.end());
     thread.released.clear();
   }
-  if (!transfers_springs)
+  if (!work.rule->options.transfers_springs)
     released.clear();
-  transfer_springs(blocks, arrays, settings, split, workers, memory.transfer,
-                   memory.receivers);
+  transfer_springs(blocks, arrays, model.settings, work.split, *work.workers,
+                   memory.transfer, memory.receivers);
   constexpr int batches_per_thread = 128;
-  split.split_evenly(static_cast<int>(memory.receivers.size()), batches_per_thread,
-                     memory.shares);
-  workers.each(memory.shares, [&](int k, int begin, int end) {
+  work.split.split_evenly(static_cast<int>(memory.receivers.size()), batches_per_thread,
+                          memory.shares);
+  work.workers->each(memory.shares, [&](int k, int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const int batch = memory.receivers[i];
-      memory.threads[k].extremes.include(act(batch));
+      compute(memory.threads[k], batch);
       if (batches.marks[batch].breaks)
         find_broken(arrays, batch, memory.threads[k].broken);
     }
   });
   Extremes extremes;
-  memory.broken.clear();
   for (ForceThread& thread : memory.threads) {
     extremes.include(std::exchange(thread.extremes, {}));
-    memory.broken.insert(memory.broken.end(), thread.broken.begin(),
-                         thread.broken.end());
+    for (const int pair : thread.broken)
+      work.decisions.expire(pair);
     thread.broken.clear();
   }
   return extremes;
 }
 
-void read_contacts(Blocks& blocks, std::vector<Contact>& list,
-                   std::vector<JointState>& states, const Settings& settings, double dt,
-                   ContactArrays& arrays, const WorkSplit& split, Workers& workers,
-                   ForceMemory& memory) {
-  ContactBatches& batches = arrays.batches;
-  const ContactLaw law = law_of(settings, dt);
-  workers.each(split.batches, [&](int, int begin, int end) {
-    kernels().compute_forces(batches, state_of(blocks), law, settings.rigid, true,
-                             begin, end);
+void take_readings(const Model& model, Workspace& work) {
+  const ContactLaw law = law_of(model);
+  work.workers->each(work.split.batches, [&](int, int begin, int end) {
+    kernels().compute_forces(work.contacts.batches, state_of(model.blocks), law,
+                             model.settings.rigid, true, begin, end);
   });
-  list_acting(
-      arrays, split, workers, memory.first_contact, list, states,
-      [&](int slot, Contact& contact) {
-        const int row = slot / lane_count, k = slot % lane_count;
-        const ReadingRow& reading = batches.readings[row];
-        contact.normal_elastic = batches.advanced[row].normal_elastic[k];
-        contact.shear_elastic = batches.advanced[row].shear_elastic[k];
-        contact.normal_force = reading.normal_force[k];
-        contact.shear_force = reading.shear_force[k];
-        contact.overlap = reading.overlap[k];
-      },
-      [&](int slot, JointState& state) { state = arrays.advanced_joint_at(slot); });
-  if (!settings.rigid)
+}
+
+void list_contacts(Model& model, Workspace& work, bool read) {
+  const ContactArrays& arrays = work.contacts;
+  const ContactBatches& batches = arrays.batches;
+  list_acting(arrays, work.split, *work.workers, work.forces.first_contact,
+              model.contacts, model.joint_states, [&](int slot, Contact& contact) {
+                const int row = slot / lane_count, k = slot % lane_count;
+                const ReadingRow& reading = batches.readings[row];
+                contact.normal_elastic = batches.springs[row].normal_elastic[k];
+                contact.shear_elastic = batches.springs[row].shear_elastic[k];
+                contact.normal_force = read ? reading.normal_force[k] : 0.0;
+                contact.shear_force = read ? reading.shear_force[k] : 0.0;
+                contact.overlap = read ? reading.overlap[k] : 0.0;
+              });
+  work.springs.both_agree();
+  if (!model.settings.rigid)
     return;
-  workers.each(split.blocks, [&](int, int begin, int end) {
-    for (int b = begin; b < end; ++b) {
-      Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-      arrays.each_lane_of(b, [&](unsigned lane, bool is_low) {
-        const PairStress& of = batches.stresses[lane];
-        for (int i = 0; i < 4; ++i)
-          sum[i] += is_low ? of.low[i] : of.high[i];
-      });
-      blocks.applied.col(b) = sum;
-    }
-  });
+  if (read)
+    sum_stresses(model.blocks, work);
+  else
+    model.blocks.applied.setZero();
 }
 
 }  // namespace blocks::dynamics

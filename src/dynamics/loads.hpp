@@ -22,7 +22,7 @@ PressureForces forces_of(const Blocks& blocks, const Pressure& pressure, double 
 
 /// Overwrites force and moment of all blocks with those of planes and of loads at
 /// model.time. In deformable runs it also overwrites the sums f_i x_j. In rigid runs it
-/// adds to them; they are meaningful only in a step that read_contacts() has set. A
+/// adds to them; they are meaningful only in a step that is read. A
 /// pressure acts as the nodal loads L (2 p1 + p2) / 6 and L (p1 + 2 p2) / 6 at the
 /// current corners. A force at a centroid adds nothing to moment and stress. shares:
 /// splits the blocks among the workers. Returns the extremes of the contacts with

@@ -60,14 +60,14 @@ class ServoStiffness {
     if (has_laws) {  // Contacts of STIFF may be stiffer too, after INSITU.
       const int law = batches_.at(slot, &FaceRow::law);
       const int row = slot / lane_count, k = slot % lane_count;
-      const JointRow& joint = batches_.advanced_joints[row];
+      const JointRow& joint = batches_.joints[row];
       normal = joint.stiffness[k], shear = joint.shear_stiffness[k];
       const LawBits bit = laws_.bit(law);
       if (bit == walton_bit)  // It may unload, along the steeper line.
         normal *= laws_.values(law).unloading_ratio;
       else if (bit == barton_bit && edge.cosine != 0.0)
         normal = bandis_tangent(laws_.values(law), joint.length[k], normal,
-                                batches_.advanced[row].normal_elastic[k] +
+                                batches_.springs[row].normal_elastic[k] +
                                     missing_ / std::abs(edge.cosine));
     }
     return normal * (edge.cosine * edge.cosine) + shear * (edge.sine * edge.sine);
@@ -90,7 +90,7 @@ ServoContacts read_servo_contacts(const Model& model, const ContactArrays& conta
   double force = 0.0;  // on the block, along the outward normal
   each_acting(contacts, servo.block, [&](int slot, int) {
     const EdgeDirection edge(blocks, batches, slot, along);
-    const SpringRow& springs = batches.advanced[slot / lane_count];
+    const SpringRow& springs = batches.springs[slot / lane_count];
     const int k = slot % lane_count;
     // The normal spring pushes the block of the corner along the outward normal of the
     // edge. A positive shear spring pushes it against the direction of the edge.

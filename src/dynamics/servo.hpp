@@ -24,8 +24,8 @@ struct ServoContacts {
 };
 
 /// Reads the springs at the end of the step. Dashpots and loads on the block do not
-/// count. Call it after find_contact_forces and before the springs advance. along: unit
-/// vector along the side; length: that of the side, [L] > 0.
+/// count. Call it when the springs have advanced. along: unit vector along the side;
+/// length: that of the side, [L] > 0.
 ServoContacts read_servo_contacts(const Model& model, const ContactArrays& contacts,
                                   const Servo& servo, const Vec2& along, double length);
 

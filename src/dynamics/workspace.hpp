@@ -2,12 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contacts/contact_arrays.hpp"
-#include "dynamics/decisions/decide_contacts.hpp"
+#include "dynamics/decide_contacts.hpp"
+#include "dynamics/decisions/contact_rule.hpp"
 #include "dynamics/decisions/decisions.hpp"
 #include "dynamics/energy.hpp"
 #include "dynamics/motion.hpp"
@@ -33,6 +33,8 @@ struct Workspace {
     forces.threads.resize(static_cast<std::size_t>(threads));
   }
 
+  /// The contact rule. `blocks study` puts its variants here.
+  const ContactRule* rule = &exact_rule();
   std::unique_ptr<Workers> workers;
   Profile* profile = nullptr;  ///< accumulates the time of each phase; may be null
   WorkSplit split;
@@ -42,14 +44,6 @@ struct Workspace {
   BlockParts parts;
   Decisions decisions;
   ContactArrays contacts;
-
-  /// Adds to the profile how many questions the last decisions left to exact
-  /// arithmetic.
-  void count_exact_calls() {
-    for (DecisionThread& thread : deciding.threads)
-      if (const auto calls = std::exchange(thread.exact_calls, 0); profile != nullptr)
-        profile->exact_calls += calls;
-  }
 
   /// (n) Whether a block is a piece of a block that has split since the arrays were
   /// made; empty: none is.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/decisions/decide_contacts.hpp"
+#include "dynamics/decisions/contact_rule.hpp"
 
 namespace blocks::study {
 
@@ -18,7 +18,7 @@ void ExactJudge::decide(const Model& model) {
   }
   acting_.clear();
   for (int p = 0; p < index_.size(); ++p) {
-    dynamics::ContactRules::decide(blocks, parts_, index_, p, scratch_);
+    dynamics::exact_rule().decide(blocks, parts_, index_, p, scratch_);
     for (const dynamics::CornerOnEdge& at : scratch_.found)
       acting_.emplace_back(index_.pairs[p].low, index_.pairs[p].high, at.corner,
                            at.edge);

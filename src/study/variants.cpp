@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "dynamics/step.hpp"
+#include "dynamics/decisions/contact_rule.hpp"
+#include "dynamics/update_pairs.hpp"
 #include "study/near_corners.hpp"
 #include "study/signs.hpp"
 
@@ -15,13 +16,9 @@ using dynamics::PairScratch;
 using dynamics::Workspace;
 
 /// The contact rule with other predicates. Every pair is decided in every step.
-template <class Predicates, bool transfers = true> struct PairRules {
-  static constexpr bool keeps_decisions = false, transfers_springs = transfers;
-  static void decide(const Blocks& blocks, const BlockParts& parts,
-                     const PairIndex& index, int p, PairScratch& scratch) {
-    dynamics::ContactRules::decide_exactly<Predicates>(blocks, parts, index, p,
-                                                       scratch);
-  }
+template <class Predicates, bool transfers = true>
+struct PairRules : dynamics::RuleWith<Predicates> {
+  PairRules() : dynamics::RuleWith<Predicates>({false, transfers}) {}
 };
 
 struct NoFar : dynamics::ExactPredicates {
@@ -36,9 +33,9 @@ struct NoFaces : dynamics::ExactPredicates {
 
 /// The rules of the report (3.2, 3.3): each listed corner is decided with each of its
 /// listed edges independently.
-class ReportRules {
+class ReportRules : public dynamics::ContactRule {
  public:
-  static constexpr bool keeps_decisions = false, transfers_springs = false;
+  ReportRules() : ContactRule({false, false}) {}
 
   void find(Model& model, Workspace& work) {
     const double tolerance = model.settings.contact_tolerance;
@@ -50,7 +47,7 @@ class ReportRules {
     listed_ = model.search.updates;
   }
   void decide(const Blocks& blocks, const BlockParts&, const PairIndex& index, int p,
-              PairScratch& scratch) const {
+              PairScratch& scratch) const override {
     scratch.found.clear();
     for (const dynamics::CornerOnEdge& one :
          near_.of(index.pairs[p].low, index.pairs[p].high))
@@ -82,7 +79,8 @@ template <class Rules> class RunBy : public VariantRun {
       update_pairs(model, work);
   }
   dynamics::StepResult step(Model& model, Workspace& work) override {
-    return step_by(rules_, model, work);
+    work.rule = &rules_;
+    return dynamics::step(model, work);
   }
 
  private:
@@ -128,7 +126,7 @@ constexpr Variant variant(std::string_view name, std::string_view what,
 
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
-      variant<dynamics::ContactRules>(
+      variant<dynamics::RuleWith<dynamics::ExactPredicates>>(
           "default", "the contact rule of every run: the least axis of a pair of "
                      "blocks whose side is surface of all blocks together"),
       // the contact rule without one of its parts

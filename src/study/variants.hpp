@@ -1,5 +1,5 @@
 // The variants of the contact decision that `blocks study contacts` compares. Each one
-// replaces dynamics::ContactRules in the step; the time loop is the same.
+// replaces Workspace::rule in the step; the time loop is the same.
 #pragma once
 
 #include <memory>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "audit/clusters.hpp"
-#include "dynamics/decisions/decide_contacts.hpp"
+#include "dynamics/decisions/contact_rule.hpp"
 #include "dynamics/step.hpp"
 #include "study/scene_builder.hpp"
 
@@ -47,7 +47,7 @@ struct Cluster {
 
   /// Returns the contacts of the exact rule.
   Contacts exact(int p) {
-    ContactRules::decide(model.blocks, work.parts, work.index, p, scratch);
+    exact_rule().decide(model.blocks, work.parts, work.index, p, scratch);
     Contacts found = scratch.found;
     sort(found);
     return found;

@@ -20,13 +20,14 @@ double largest_difference(const Eigen::Matrix2Xd& a, const Eigen::Matrix2Xd& b) 
 
 /// The rules of the linked lists: each corner is decided with each near edge by (19),
 /// between and (20), and a spring ends with its contact.
-struct ReportChecks {
-  static constexpr bool keeps_decisions = false, transfers_springs = false;
-  double reach;  ///< [L] largest distance of a corner from a near edge
+class ReportChecks : public dynamics::ContactRule {
+ public:
+  /// reach: [L] largest distance of a corner from a near edge
+  explicit ReportChecks(double reach) : ContactRule({false, false}), reach_(reach) {}
 
   void decide(const Blocks& blocks, const dynamics::BlockParts&,
               const dynamics::PairIndex& index, int p,
-              dynamics::PairScratch& scratch) const {
+              dynamics::PairScratch& scratch) const override {
     scratch.found.clear();
     const auto [low, high] = index.pairs[p];
     for (const auto& [own, other] : {std::pair(low, high), std::pair(high, low)})
@@ -42,11 +43,13 @@ struct ReportChecks {
     const auto at = [&](int k) { return Vec2(blocks.corner.col(k)); };
     const Vec2 c = at(corner), p1 = at(edge), p2 = at(blocks.next[edge]), e = p2 - p1;
     const double s = std::clamp((c - p1).dot(e) / e.squaredNorm(), 0.0, 1.0);
-    return (c - p1 - s * e).norm() <= reach && geometry::overlap_sign(c, p1, p2) > 0 &&
+    return (c - p1 - s * e).norm() <= reach_ && geometry::overlap_sign(c, p1, p2) > 0 &&
            geometry::between(c, p1, p2) &&
            geometry::faces_edge(c, at(blocks.previous[corner]), p1, p2) &&
            geometry::faces_edge(c, at(blocks.next[corner]), p1, p2);
   }
+
+  double reach_;
 };
 
 // With these rules both codes have the same contacts. Only the order of sums differs.
@@ -54,10 +57,12 @@ TEST(LinkedLists, MoveTheWallAsTheProgramWithoutSpringTransfer) {
   Model wall = bench::wall_of_power(2);
   bench::LinkedListCode lists(wall);
   dynamics::Workspace work;
+  const ReportChecks rule(2.0 * wall.settings.contact_tolerance);
+  work.rule = &rule;
   dynamics::prepare(wall);
   const Eigen::Matrix2Xd start = wall.blocks.corner;
   for (int i = 0; i < 500; ++i)
-    dynamics::step_by(ReportChecks{2.0 * wall.settings.contact_tolerance}, wall, work);
+    dynamics::step(wall, work);
   lists.run(500);
   EXPECT_GT(largest_difference(start, lists.corners()), 1e-5);
   EXPECT_EQ(lists.acting_contacts(), totals(wall).active_contacts);

@@ -21,9 +21,7 @@ namespace {
 using geometry::Polygon;
 
 /// The contact rule that decides every pair in every step.
-struct WithoutKeptDecisions : dynamics::ContactRules {
-  static constexpr bool keeps_decisions = false;
-};
+const dynamics::RuleWith<dynamics::ExactPredicates> without_kept_decisions{{false}};
 
 /// Steps a model with and without kept decisions. Corners may move apart by
 /// `most_apart`, [L]; 0: all bits have to be equal. Returns the number of kept
@@ -32,11 +30,12 @@ long compare(const Model& start, int steps, double most_apart = 0.0) {
   const std::unique_ptr<VariantRun> run = find_variant("default")->start();
   Model kept = start, decided = start;
   dynamics::Workspace a, b;
+  b.rule = &without_kept_decisions;
   dynamics::prepare(kept), dynamics::prepare(decided);
   long reused = 0;
   for (int k = 0; k < steps; ++k) {
     run->find(kept, a), run->find(decided, b);
-    run->step(kept, a), dynamics::step_by(WithoutKeptDecisions(), decided, b);
+    run->step(kept, a), dynamics::step(decided, b);
     for (int p = 0; p < a.index.size(); ++p)
       reused += a.decisions.holds(kept.blocks, a.parts, a.index.pairs[p], p);
     const double apart =

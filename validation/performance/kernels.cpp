@@ -82,10 +82,12 @@ std::vector<std::string> register_all() {
   add(names, "overlap_sign of a tie, exact", near_an_edge(0, 0),
       [](const Case& k) { return overlap_sign(k.corner, k.p1, k.p2); });
   add(names, "contact law", touching, [](const Case& k) {
-    double fn = 1.0, fs = k.before.y(), normal = 0.0, shear = 0.0;
-    dynamics::apply({1e9, 1e9, 0.6, 5e-5}, fn, fs, k.corner.y() - 1.0, k.after.x(),
-                    1e-3, 1e4, 0.0, normal, shear);
-    return normal + shear + fn + fs;
+    const dynamics::ContactLaw law = {1e9, 1e9, 0.6, 5e-5};
+    auto state = dynamics::usual_state(law, 1.0, k.before.y());
+    dynamics::ContactForce<double> force;
+    dynamics::apply_usual(law, {k.corner.y() - 1.0, k.after.x(), 1e-3, 1e4, 0.0}, state,
+                          force);
+    return force.normal + force.shear + state.normal + state.shear;
   });
   return names;
 }

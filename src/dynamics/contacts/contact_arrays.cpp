@@ -43,8 +43,8 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
   });
 }
 
-JointState ContactArrays::joint_of(const JointRow* rows, int slot) const {
-  const JointRow& row = rows[slot / lane_count];
+JointState ContactArrays::joint_at(int slot) const {
+  const JointRow& row = batches.joints[slot / lane_count];
   const int k = slot % lane_count, law = batches.at(slot, &FaceRow::law);
   // Contacts without a law may share a batch with others, whose kernel writes to them.
   if (law == 0 && !laws.in_situ())
@@ -195,16 +195,12 @@ void ContactArrays::make(const Blocks& blocks, const Settings& settings,
     for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
       two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
   }
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < kept.pair.size(); ++k) {
-    while (next < grown.pair.size() && grown.pair[next] < kept.pair[k])
-      ++next;
-    const bool replaced = next < grown.pair.size() && grown.pair[next] == kept.pair[k];
-    if (kept.pair[k] >= 0 && !replaced)
-      fill_slots(blocks, index, kept, k);
-  }
-  for (std::size_t k = 0; k < grown.pair.size(); ++k)
-    fill_slots(blocks, index, grown, k);
+  // A pair that has outgrown its slots has more contacts than before, so the second
+  // list replaces all of the first one.
+  for (const ContactsOfPairs* some : {&kept, &grown})
+    for (std::size_t k = 0; k < some->pair.size(); ++k)
+      if (some->pair[k] >= 0)
+        fill_slots(blocks, index, *some, k);
   find_lanes_of_blocks(index, &NearPair::low, lows);
   find_lanes_of_blocks(index, &NearPair::high, highs);
 }

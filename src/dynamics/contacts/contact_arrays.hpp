@@ -33,9 +33,9 @@ struct ContactArrays {
 
   /// Makes batches for the pairs of the index that have or have had contacts, and puts
   /// the contacts into them. `kept` are the contacts until now, `grown` those of pairs
-  /// that need more slots. A pair that is in both gets the contacts of `grown`. No pair
-  /// may be listed twice in either of them. Entries of `kept` with a negative pair are
-  /// ignored.
+  /// that need more slots than before, in any order. A pair that is in both gets the
+  /// contacts of `grown`, which must then be more. No pair may be listed twice in
+  /// either of them. Entries with a negative pair are ignored.
   void make(const Blocks& blocks, const Settings& settings, const PairIndex& index,
             const ContactsOfPairs& kept, const ContactsOfPairs& grown);
   /// Assigns these contacts to pair p. If `tested`, a contact acts only if its corner
@@ -72,20 +72,15 @@ struct ContactArrays {
   CornerOnEdge at(int slot) const {
     return {batches.at(slot, &ContactRow::corner), batches.at(slot, &ContactRow::edge)};
   }
-  /// Returns the state of the law of a slot at the start of the step.
-  JointState joint_at(int slot) const { return joint_of(batches.joints, slot); }
-  /// The same at the end of the step.
-  JointState advanced_joint_at(int slot) const {
-    return joint_of(batches.advanced_joints, slot);
-  }
-  /// Sets the state of the law of a slot at the start of the step.
+  /// Returns the state of the law of a slot.
+  JointState joint_at(int slot) const;
+  /// Sets the state of the law of a slot.
   void put_joint(int slot, const JointState& state);
   /// Returns whether the slot has no contact. Such a slot has equal corner and edge,
   /// which no contact has.
   bool is_vacant(int slot) const { return at(slot).corner == at(slot).edge; }
 
  private:
-  JointState joint_of(const JointRow* rows, int slot) const;
   void contacts_of(int p, std::vector<PairContact>& contacts) const;
   bool keep_held(std::vector<PairContact>& now,
                  const std::vector<PairContact>& before) const;

@@ -23,14 +23,12 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
                ContactsOfPairs& all);
 
 /// Lists the acting contacts in the order of the pairs, on all threads. put(slot,
-/// contact) writes the entry of a slot, except corner and edge. If joints have laws,
-/// put_state(slot, state) writes that of its law; otherwise there are no states. first:
-/// working memory.
-template <class Put, class PutState>
+/// contact) writes the entry of a slot, except corner and edge. If joints have laws, it
+/// also lists their states; otherwise there are none. first: working memory.
+template <class Put>
 void list_acting(const ContactArrays& arrays, const WorkSplit& split, Workers& workers,
                  std::vector<int>& first, std::vector<Contact>& list,
-                 std::vector<JointState>& states, const Put& put,
-                 const PutState& put_state) {
+                 std::vector<JointState>& states, const Put& put) {
   const ContactBatches& batches = arrays.batches;
   first.assign(arrays.first_batch.size(), 0);
   workers.each(split.windows, [&](int, int begin, int end) {
@@ -58,7 +56,7 @@ void list_acting(const ContactArrays& arrays, const WorkSplit& split, Workers& w
           list[i].corner = arrays.at(slot).corner, list[i].edge = arrays.at(slot).edge;
           put(slot, list[i]);
           if (has_states)
-            put_state(slot, states[i]);
+            states[i] = arrays.joint_at(slot);
           ++i;
         });
     }

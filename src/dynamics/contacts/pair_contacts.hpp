@@ -46,16 +46,15 @@ struct ContactsOfPairs {
     }
     first.push_back(static_cast<int>(all.size()));
   }
-  /// Adds the contacts of entry k of another list.
-  void add(const ContactsOfPairs& other, std::size_t k) {
-    const auto copy = [&](const auto& from, auto& to) {
-      if (!from.empty())
-        to.insert(to.end(), from.begin() + other.first[k],
-                  from.begin() + other.first[k + 1]);
+  /// Adds all contacts of another list.
+  void append(const ContactsOfPairs& other) {
+    const int before = static_cast<int>(all.size());
+    const auto copy = [](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin(), from.end());
     };
-    pair.push_back(other.pair[k]);
-    copy(other.all, all), copy(other.joints, joints);
-    first.push_back(static_cast<int>(all.size()));
+    copy(other.pair, pair), copy(other.all, all), copy(other.joints, joints);
+    for (std::size_t k = 1; k < other.first.size(); ++k)
+      first.push_back(before + other.first[k]);
   }
   PairContact at(std::size_t i) const {
     return {all[i], joints.empty() ? JointState{} : joints[i]};

@@ -1,0 +1,51 @@
+// The contact rule as the step calls it. Runs have the rule of docs/contact-rule.md;
+// `blocks study` puts others in its place.
+#pragma once
+
+#include "dynamics/rules/pair_rule.hpp"
+#include "dynamics/search/pair_index.hpp"
+
+namespace blocks::dynamics {
+
+/// Decides the pairs that the kernel leaves open, one virtual call for each.
+class ContactRule {
+ public:
+  /// What a step does in addition to deciding pairs.
+  struct Options {
+    /// Decisions are kept (docs/kept-decisions.md), and pairs that are certain in
+    /// doubles are decided by the kernel. Otherwise every pair is decided by the rule
+    /// in every step.
+    bool keeps_decisions = true;
+    /// The springs of contacts that cease to act pass to successors.
+    bool transfers_springs = true;
+  };
+
+  explicit ContactRule(const Options& chosen) : options(chosen) {}
+  virtual ~ContactRule() = default;
+
+  /// Finds which contacts of pair p act and writes them to scratch.found. If decisions
+  /// are kept, it also writes scratch.candidates, may_be_kept, depths and
+  /// asked_of_third.
+  virtual void decide(const Blocks& blocks, const BlockParts& parts,
+                      const PairIndex& index, int p, PairScratch& scratch) const = 0;
+
+  const Options options;
+};
+
+/// The rule of docs/contact-rule.md with the given predicates.
+template <class Predicates> class RuleWith : public ContactRule {
+ public:
+  explicit RuleWith(const ContactRule::Options& chosen = {}) : ContactRule(chosen) {}
+
+  void decide(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
+              int p, PairScratch& scratch) const override {
+    const Neighbours neighbours{index};
+    PairRule<Predicates, Neighbours> rule(blocks, parts, neighbours, scratch);
+    rule.decide(index.pairs[p].low, index.pairs[p].high);
+  }
+};
+
+/// The rule of every run.
+const ContactRule& exact_rule();
+
+}  // namespace blocks::dynamics
