@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "post/line_chart.hpp"
+#include "draw/chart/line_chart.hpp"
 #include "report/html_text.hpp"
 #include "report/page.hpp"
 
@@ -53,7 +53,7 @@ class PageWriter {
   void profile();
   /// Returns the charts of all columns that are not left out, side by side; empty if
   /// none has anything to show.
-  std::string chart_figures(post::Chart (*chart)(const Ensemble&, const Analysis&,
+  std::string chart_figures(draw::Chart (*chart)(const Ensemble&, const Analysis&,
                                                  std::size_t),
                             const std::vector<bool>& left_out = {});
   void parameter_figures();
