@@ -15,6 +15,7 @@
 #include "audit/clusters.hpp"
 #include "dynamics/decisions/contact_rule.hpp"
 #include "dynamics/step.hpp"
+#include "dynamics/update_pairs.hpp"
 #include "study/scene_builder.hpp"
 
 namespace blocks::dynamics {
