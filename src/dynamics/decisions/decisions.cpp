@@ -17,19 +17,16 @@ constexpr double motion_per_path = 1.000001;
 /// No path grows by more than MotionBounds::most.
 constexpr double motion_per_growth = 2.0 * motion_per_path;
 
-/// Returns which blocks have a neighbour that is new or has changed, (blocks).
-std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
-                                      const std::vector<char>& changed) {
+/// Returns which blocks have a new neighbour, (blocks).
+std::vector<char> with_new_neighbours(const Groups& now, const Groups& old) {
   std::vector<char> found(static_cast<std::size_t>(now.groups()), 0);
   for (int b = 0; b < now.groups(); ++b) {
-    const bool existed = b < old.groups();
-    int k = existed ? old.first[b] : 0;
-    const int end = existed ? old.first[b + 1] : 0;
+    int k = old.first[b];
+    const int end = old.first[b + 1];
     now.each(b, [&](int other) {
       while (k < end && old.item[k] < other)
         ++k;
-      const bool is_new = k == end || old.item[k] != other;
-      if (is_new || (!changed.empty() && changed[other] != 0))
+      if (k == end || old.item[k] != other)
         found[b] = 1;
     });
   }
@@ -55,10 +52,9 @@ void Decisions::reset(int pairs) {
   renewals.assign(static_cast<std::size_t>(pairs), {});
 }
 
-void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
-                        const std::vector<char>& changed) {
+void Decisions::keep_in(const PairIndex& now, const PairIndex& old) {
   const std::vector<char> touched =
-      with_new_neighbours(now.neighbours, old.neighbours, changed);
+      with_new_neighbours(now.neighbours, old.neighbours);
   std::vector<Room> old_rooms(now.pairs.size());
   std::vector<NextExamination> old_examination(now.pairs.size());
   std::vector<double> old_checks(now.pairs.size(), 0.0);
@@ -74,8 +70,7 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
       continue;
     const bool needs_neighbours =
         !old_renewals[k].empty() || old_rooms[k].until < infinite;
-    const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
-    if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
+    if (needs_neighbours && (touched[low] != 0 || touched[high] != 0))
       continue;
     rooms[p] = old_rooms[k], next_examination[p] = old_examination[k];
     next_check[p] = old_checks[k];

@@ -42,10 +42,8 @@ struct Decisions {
   /// Discards all decisions. pairs: the number of pairs.
   void reset(int pairs);
   /// Keeps the decisions of the old list of pairs in the new one. Discards those that a
-  /// new neighbour or a piece of a block may change. changed: whether a block of the
-  /// new list is a piece of a block that has split; empty: none is.
-  void keep_in(const PairIndex& now, const PairIndex& old,
-               const std::vector<char>& changed);
+  /// new neighbour may change. Both lists are of the same blocks.
+  void keep_in(const PairIndex& now, const PairIndex& old);
   /// Discards the decision of pair p.
   void expire(int p) {
     rooms[p] = {}, renewals[p].clear(), next_examination[p] = {}, next_check[p] = 0.0;
