@@ -1,6 +1,13 @@
 #include "dynamics/block_energy.hpp"
 
 namespace blocks::dynamics {
+namespace {
+
+const Material& material_of(const Model& model, int b) {
+  return model.settings.materials.at(model.blocks.material[b]);
+}
+
+}  // namespace
 
 BlockMasses masses_of(const Blocks& blocks, int b, bool rigid) {
   const double mass = blocks.inertial_mass(b);
@@ -32,7 +39,18 @@ BlockMotion turned_back(const BlockMotion& motion, double dt) {
           {t11 * c - t12 * s, t21 * s + t22 * c, t11 * s + t12 * c}};
 }
 
-double strain_energy(const Blocks& blocks, int b, const Material& material) {
+double kinetic_energy(const Blocks& blocks, int b, bool rigid) {
+  if (!blocks.is_free(b))
+    return 0.0;
+  const BlockMotion motion = motion_of(blocks, b);
+  return kinetic_energy(masses_of(blocks, b, rigid), motion, motion);
+}
+
+double strain_energy(const Model& model, int b) {
+  const Blocks& blocks = model.blocks;
+  if (model.settings.rigid || blocks.is_removed(b))
+    return 0.0;
+  const Material& material = material_of(model, b);
   const auto s = blocks.stress.col(b);
   const double c11 = material.c11(), c12 = material.c12();
   const double normal = (c11 * (s[0] * s[0] + s[3] * s[3]) - 2.0 * c12 * s[0] * s[3]) /
@@ -41,14 +59,21 @@ double strain_energy(const Blocks& blocks, int b, const Material& material) {
   return 0.5 * blocks.area[b] * (normal + shear);
 }
 
+BlockEnergy energy_of(const Model& model, int b) {
+  return {kinetic_energy(model.blocks, b, model.settings.rigid),
+          strain_energy(model, b)};
+}
+
 double stress_work(const Blocks& blocks, int b, double dt) {
   const auto s = blocks.stress.col(b), rate = blocks.strain_rate.col(b);
   const double power = s[0] * rate[0] + s[3] * rate[3] + 2.0 * s[1] * rate[1];
   return blocks.area[b] * power * dt;
 }
 
-double last_stress_work(const Blocks& blocks, int b, const Material& material,
-                        double dt) {
+double last_stress_work(const Model& model, int b) {
+  const Blocks& blocks = model.blocks;
+  const Material& material = material_of(model, b);
+  const double dt = model.time_step.dt;
   const auto rate = blocks.strain_rate.col(b);
   const double growth = material.c11() * (rate[0] * rate[0] + rate[3] * rate[3]) +
                         2.0 * material.c12() * rate[0] * rate[3] +

@@ -45,13 +45,19 @@ inline double kinetic_energy(const BlockMasses& masses, const BlockMotion& a,
   return 0.5 * twice;
 }
 
-/// Returns the strain energy of the stress of block b, [F L].
-double strain_energy(const Blocks& blocks, int b, const Material& material);
+/// The energies of a block in its present state, [F L].
+struct BlockEnergy {
+  double kinetic = 0.0;  ///< 0 for blocks that are not free
+  double strain = 0.0;   ///< of the stress; 0 for rigid and removed blocks
+};
+BlockEnergy energy_of(const Model& model, int b);
+double kinetic_energy(const Blocks& blocks, int b, bool rigid);
+double strain_energy(const Model& model, int b);
+
 /// Returns the work of the stress of block b on its strain rates in dt, [F L].
 double stress_work(const Blocks& blocks, int b, double dt);
 /// Returns the work of the stress of block b in the last step, in which it has grown
 /// by the elastic moduli times the strain rates, [F L].
-double last_stress_work(const Blocks& blocks, int b, const Material& material,
-                        double dt);
+double last_stress_work(const Model& model, int b);
 
 }  // namespace blocks::dynamics

@@ -126,19 +126,19 @@ Extremes find_contact_forces(const Model& model, Workspace& work) {
   }
   if (!work.rule->options.transfers_springs)
     released.clear();
-  transfer_springs(blocks, arrays, model.settings, work.split, *work.workers,
-                   memory.transfer, memory.receivers);
+  transfer_springs(blocks, arrays, model.settings, *work.workers, memory.transfer,
+                   memory.receivers);
   constexpr int batches_per_thread = 128;
-  work.split.split_evenly(static_cast<int>(memory.receivers.size()), batches_per_thread,
-                          memory.shares);
-  work.workers->each(memory.shares, [&](int k, int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const int batch = memory.receivers[i];
-      compute(memory.threads[k], batch);
-      if (batches.marks[batch].breaks)
-        find_broken(arrays, batch, memory.threads[k].broken);
-    }
-  });
+  const auto receivers = static_cast<int>(memory.receivers.size());
+  work.workers->each_evenly(receivers, batches_per_thread,
+                            [&](int k, int begin, int end) {
+                              for (int i = begin; i < end; ++i) {
+                                const int batch = memory.receivers[i];
+                                compute(memory.threads[k], batch);
+                                if (batches.marks[batch].breaks)
+                                  find_broken(arrays, batch, memory.threads[k].broken);
+                              }
+                            });
   Extremes extremes;
   for (ForceThread& thread : memory.threads) {
     extremes.include(std::exchange(thread.extremes, {}));

@@ -22,7 +22,6 @@ struct ForceMemory {
   std::vector<ForceThread> threads;
   SpringTransfer transfer;
   std::vector<int> receivers;  ///< batches that have received springs
-  std::vector<int> shares;     ///< splits the receivers among the threads
   /// (windows + 1) the first contact of each window in the list of the model
   std::vector<int> first_contact;
 };

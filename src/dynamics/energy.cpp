@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "dynamics/loads.hpp"
-#include "dynamics/point_velocity.hpp"
 #include "dynamics/quiet_sides.hpp"
 #include "dynamics/spring_energy.hpp"
 #include "dynamics/symmetry_planes.hpp"
@@ -15,18 +14,17 @@ namespace blocks::dynamics {
 namespace {
 
 /// Adds up what the contacts of all pairs do, in the order of the pairs. Two fixed
-/// blocks are left out, because a search leaves them out.
+/// blocks, such as those that have left the domain, are left out.
 ContactTally tally_contacts(const Blocks& blocks, const ContactArrays& arrays,
-                            const WorkSplit& split, Workers& workers,
-                            EnergyMemory& memory) {
+                            Workers& workers, EnergyMemory& memory) {
   const ContactBatches& batches = arrays.batches;
-  return tally_all(blocks.size(), memory.contact_tallies, split, workers, memory.shares,
-                   [&](int b, ContactTally& tally) {
-                     arrays.lows.each(b, [&](int lane) {
-                       if (blocks.may_touch(b, batches.at(lane, &BatchPairs::high)))
-                         tally.include(batches.works[lane]);
-                     });
-                   });
+  const auto visit = [&](int b, ContactTally& tally) {
+    arrays.lows.each(b, [&](int lane) {
+      if (blocks.may_touch(b, batches.at(lane, &BatchPairs::high)))
+        tally.include(batches.works[lane]);
+    });
+  };
+  return tally_all(blocks.size(), memory.contact_tallies, workers, visit);
 }
 
 /// Returns the energy of a spring of a plane, [F L].
@@ -66,28 +64,20 @@ double listed_springs(const Model& model, const LawTable& laws) {
 }
 
 /// The kinetic and the strain energy of the present state.
-BlockTally present_energy(const Model& model, const WorkSplit& split, Workers& workers,
-                          EnergyMemory& memory) {
-  const Blocks& blocks = model.blocks;
-  const bool rigid = model.settings.rigid;
-  return tally_all(blocks.size(), memory.block_tallies, split, workers, memory.shares,
-                   [&](int b, BlockTally& tally) {
-                     if (blocks.is_free(b)) {
-                       const BlockMotion motion = motion_of(blocks, b);
-                       tally.next_kinetic +=
-                           kinetic_energy(masses_of(blocks, b, rigid), motion, motion);
-                     }
-                     if (!rigid && !blocks.is_removed(b))
-                       tally.next_strain += strain_energy(
-                           blocks, b, model.settings.materials.at(blocks.material[b]));
-                   });
+BlockTally present_energy(const Model& model, Workers& workers, EnergyMemory& memory) {
+  const auto visit = [&](int b, BlockTally& tally) {
+    const BlockEnergy energy = energy_of(model, b);
+    tally.next_kinetic += energy.kinetic;
+    tally.next_strain += energy.strain;
+  };
+  return tally_all(model.blocks.size(), memory.block_tallies, workers, visit);
 }
 
 /// Takes what has changed since the last step by other causes than steps.
 void count_changes(Model& model, EnergyEntry entry, const LawTable& laws,
-                   const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
+                   Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
-  const BlockTally blocks = present_energy(model, split, workers, memory);
+  const BlockTally blocks = present_energy(model, workers, memory);
   const double elastic = listed_springs(model, laws) + plane_springs(model);
   account.add(entry, account.next_kinetic - blocks.next_kinetic);
   account.add(entry, account.next_strain - blocks.next_strain);
@@ -121,43 +111,22 @@ ContactTally tally_planes(const Model& model) {
   return tally;
 }
 
-/// Returns the work of pressures and forces at centroids.
-double work_of_loads(const Model& model) {
-  const Blocks& blocks = model.blocks;
-  const TimeFunction& function = model.loads.function;
-  double power = 0.0;
-  for (const Pressure& pressure : model.loads.pressures) {
-    const PressureForces forces =
-        forces_of(blocks, pressure, function.factor(model.time, pressure.arrival));
-    for (int i = 0; i < 2; ++i)
-      power +=
-          forces.force[i].dot(point_velocity(blocks, pressure.block, forces.arm[i]));
-  }
-  for (const CentroidForce& load : model.loads.forces)
-    power += function.factor(model.time, load.arrival) *
-             load.force.dot(Vec2(blocks.velocity.col(load.block)));
-  return power * model.time_step.dt;
-}
-
 /// Returns the work of the water.
-double work_of_water(const Model& model, const WorkSplit& split, Workers& workers,
-                     EnergyMemory& memory) {
+double work_of_water(const Model& model, Workers& workers, EnergyMemory& memory) {
   const Blocks& blocks = model.blocks;
   if (model.loads.water.none())
     return 0.0;
+  const auto visit = [&](int b, BlockTally& tally) {
+    if (blocks.is_removed(b))
+      return;
+    const BlockWater sum = WaterNow(model.loads.water, model.time).on_block(blocks, b);
+    tally.water +=
+        sum.force.dot(Vec2(blocks.velocity.col(b))) + sum.moment * blocks.spin[b];
+    for (int i = 0; i < 4; ++i)
+      tally.water += sum.sums[i] * blocks.strain_rate(i, b);
+  };
   const double power =
-      tally_all(blocks.size(), memory.block_tallies, split, workers, memory.shares,
-                [&](int b, BlockTally& tally) {
-                  if (blocks.is_removed(b))
-                    return;
-                  const BlockWater sum =
-                      WaterNow(model.loads.water, model.time).on_block(blocks, b);
-                  tally.water += sum.force.dot(Vec2(blocks.velocity.col(b))) +
-                                 sum.moment * blocks.spin[b];
-                  for (int i = 0; i < 4; ++i)
-                    tally.water += sum.sums[i] * blocks.strain_rate(i, b);
-                })
-          .water;
+      tally_all(blocks.size(), memory.block_tallies, workers, visit).water;
   return power * model.time_step.dt;
 }
 
@@ -193,7 +162,7 @@ void begin_energy(Model& model) {
   EnergyMemory memory;
   LawTable laws;
   laws.make(model.settings, model.blocks);
-  const BlockTally blocks = present_energy(model, {}, workers, memory);
+  const BlockTally blocks = present_energy(model, workers, memory);
   account.kept = true;
   account.sums.assign(energy_entries, 0.0);
   account.errors.assign(energy_entries, 0.0);
@@ -204,11 +173,11 @@ void begin_energy(Model& model) {
 }
 
 void count_forces(Model& model, const ContactArrays& arrays, bool list_is_current,
-                  const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
+                  Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
   if (list_is_current)
-    count_changes(model, EnergyEntry::removed, arrays.laws, split, workers, memory);
-  ContactTally contacts = tally_contacts(model.blocks, arrays, split, workers, memory);
+    count_changes(model, EnergyEntry::removed, arrays.laws, workers, memory);
+  ContactTally contacts = tally_contacts(model.blocks, arrays, workers, memory);
   contacts.include(tally_planes(model));
   account.add(EnergyEntry::dilation, contacts.dilation);
   account.add(EnergyEntry::friction, contacts.friction);
@@ -218,8 +187,8 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   account.add(EnergyEntry::integration, contacts.integration);
   account.add(EnergyEntry::transfer, account.elastic - contacts.before);
   account.elastic = contacts.after;
-  account.add(EnergyEntry::loads, work_of_loads(model));
-  account.add(EnergyEntry::water, work_of_water(model, split, workers, memory));
+  account.add(EnergyEntry::loads, power_of_loads(model) * model.time_step.dt);
+  account.add(EnergyEntry::water, work_of_water(model, workers, memory));
   if (!model.loads.quiet_sides.empty()) {
     const QuietPower power = power_of_quiet_sides(model);
     account.add(EnergyEntry::loads, power.constant * model.time_step.dt);
@@ -230,12 +199,11 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   account.strain = account.next_strain;
 }
 
-void count_cracks(Model& model, const WorkSplit& split, Workers& workers,
-                  EnergyMemory& memory) {
+void count_cracks(Model& model, Workers& workers, EnergyMemory& memory) {
   LawTable laws;
   laws.make(model.settings, model.blocks);
   const double before = model.energy.next_strain;
-  count_changes(model, EnergyEntry::cracks, laws, split, workers, memory);
+  count_changes(model, EnergyEntry::cracks, laws, workers, memory);
   model.energy.strain -= before - model.energy.next_strain;
 }
 
@@ -243,57 +211,53 @@ namespace {
 
 /// Compares the motion before and after the step. If the step has stopped the blocks,
 /// it took the kinetic energy that they had at the positions of the forces.
-BlockTally tally_motion(const Model& model, const Vec2& gravity, const WorkSplit& split,
-                        Workers& workers, EnergyMemory& memory) {
+BlockTally tally_motion(const Model& model, const Vec2& gravity, Workers& workers,
+                        EnergyMemory& memory) {
   const Blocks& blocks = model.blocks;
   const bool rigid = model.settings.rigid;
   const double dt = model.time_step.dt;
-  return tally_all(
-      blocks.size(), memory.block_tallies, split, workers, memory.shares,
-      [&](int b, BlockTally& tally) {
-        const BlockMotion& before = memory.before[static_cast<std::size_t>(b)];
-        if (!rigid && !blocks.is_removed(b))
-          tally.next_strain +=
-              strain_energy(blocks, b, model.settings.materials.at(blocks.material[b]));
-        if (!blocks.is_free(b)) {
-          // No force changes the velocity of a driven block.
-          tally.drives -= dt * (blocks.force.col(b).dot(before.velocity) +
-                                blocks.moment[b] * before.spin);
-          return;
-        }
-        const BlockMasses& masses = memory.masses[static_cast<std::size_t>(b)];
-        const BlockMotion now = motion_of(blocks, b);
-        const BlockMotion after = rigid ? now : turned_back(now, dt);
-        BlockMotion change = after;
-        change.velocity -= before.velocity;
-        change.spin -= before.spin;
-        for (int i = 0; i < 3; ++i)
-          change.rate[i] -= before.rate[i];
-        const double both = kinetic_energy(masses, before, after);
-        if (memory.stopped) {
-          // Half a step of the forces has made `after`.
-          tally.artificial += kinetic_energy(masses, before, before) + 2.0 * both;
-          tally.error += 2.0 * both;
-        } else {
-          tally.kinetic += both;
-          tally.error += kinetic_energy(masses, before, change);
-        }
-        tally.next_kinetic += kinetic_energy(masses_of(blocks, b, rigid), now, now);
-        tally.artificial += memory.damped[static_cast<std::size_t>(b)];
-        tally.gravity += dt * blocks.mass[b] * gravity.dot(before.velocity);
-        if (!rigid)
-          tally.strain_work += last_stress_work(
-              blocks, b, model.settings.materials.at(blocks.material[b]), dt);
-      });
+  const auto visit = [&](int b, BlockTally& tally) {
+    const BlockMotion& before = memory.before[static_cast<std::size_t>(b)];
+    tally.next_strain += strain_energy(model, b);
+    if (!blocks.is_free(b)) {
+      // No force changes the velocity of a driven block.
+      tally.drives -= dt * (blocks.force.col(b).dot(before.velocity) +
+                            blocks.moment[b] * before.spin);
+      return;
+    }
+    const BlockMasses& masses = memory.masses[static_cast<std::size_t>(b)];
+    const BlockMotion now = motion_of(blocks, b);
+    const BlockMotion after = rigid ? now : turned_back(now, dt);
+    BlockMotion change = after;
+    change.velocity -= before.velocity;
+    change.spin -= before.spin;
+    for (int i = 0; i < 3; ++i)
+      change.rate[i] -= before.rate[i];
+    const double both = kinetic_energy(masses, before, after);
+    if (memory.stopped) {
+      // Half a step of the forces has made `after`.
+      tally.artificial += kinetic_energy(masses, before, before) + 2.0 * both;
+      tally.error += 2.0 * both;
+    } else {
+      tally.kinetic += both;
+      tally.error += kinetic_energy(masses, before, change);
+    }
+    tally.next_kinetic += kinetic_energy(masses_of(blocks, b, rigid), now, now);
+    tally.artificial += memory.damped[static_cast<std::size_t>(b)];
+    tally.gravity += dt * blocks.mass[b] * gravity.dot(before.velocity);
+    if (!rigid)
+      tally.strain_work += last_stress_work(model, b);
+  };
+  return tally_all(blocks.size(), memory.block_tallies, workers, visit);
 }
 
 }  // namespace
 
-void count_motion(Model& model, const Vec2& gravity, bool stopped,
-                  const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
+void count_motion(Model& model, const Vec2& gravity, bool stopped, Workers& workers,
+                  EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
   memory.stopped = stopped;
-  const BlockTally blocks = tally_motion(model, gravity, split, workers, memory);
+  const BlockTally blocks = tally_motion(model, gravity, workers, memory);
   account.add(EnergyEntry::gravity, blocks.gravity);
   account.add(EnergyEntry::drives, blocks.drives);
   account.add(EnergyEntry::artificial, blocks.artificial);
@@ -305,16 +269,15 @@ void count_motion(Model& model, const Vec2& gravity, bool stopped,
   account.strain_work = blocks.strain_work;
 }
 
-void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,
-                 Workers& workers, EnergyMemory& memory) {
+void count_fixed(Model& model, const ContactArrays& arrays, Workers& workers,
+                 EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
-  const BlockTally blocks = tally_motion(model, {0, 0}, split, workers, memory);
+  const BlockTally blocks = tally_motion(model, {0, 0}, workers, memory);
   account.add(EnergyEntry::removed, account.kinetic - blocks.kinetic);
   account.kinetic = blocks.kinetic;
   account.next_kinetic = blocks.next_kinetic;
-  const double elastic =
-      tally_contacts(model.blocks, arrays, split, workers, memory).after +
-      plane_springs(model);
+  const double elastic = tally_contacts(model.blocks, arrays, workers, memory).after +
+                         plane_springs(model);
   account.add(EnergyEntry::removed, account.elastic - elastic);
   account.elastic = elastic;
 }

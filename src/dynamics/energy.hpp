@@ -1,7 +1,8 @@
-// Keeps the energy account of a model in its steps (docs/laws.md#energy). Three calls
-// follow the stages of a step. They read the state of the step and change nothing but
-// the account. Its sums are taken in the order of contacts and blocks, so they depend
-// neither on threads nor on restarts.
+// Keeps the energy account of a model (docs/laws.md#energy). count_forces and
+// count_motion follow stages of a step, count_fixed and count_cracks events after it.
+// They read the state of the step and change nothing but the account. Its sums are
+// taken in the order of contacts and blocks, so they depend neither on threads nor on
+// restarts.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,6 @@
 #include "dynamics/block_energy.hpp"
 #include "dynamics/contacts/contact_arrays.hpp"
 #include "dynamics/energy_tally.hpp"
-#include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
 #include "model/model.hpp"
 
@@ -23,7 +23,6 @@ struct EnergyMemory {
   bool stopped = false;        ///< the step has stopped the blocks (KINDAMP)
   std::vector<ContactTally> contact_tallies;
   std::vector<BlockTally> block_tallies;
-  std::vector<int> shares;
 };
 
 /// Begins the account if HISTORY names one of its entries. Once begun, an account is
@@ -35,21 +34,20 @@ void begin_energy(Model& model);
 /// Model::contacts has the springs from before the step, so cards may have changed the
 /// model.
 void count_forces(Model& model, const ContactArrays& arrays, bool list_is_current,
-                  const WorkSplit& split, Workers& workers, EnergyMemory& memory);
+                  Workers& workers, EnergyMemory& memory);
 
 /// Adds what the motion of the step has done. Call it before blocks that have left the
 /// domain are fixed. gravity: [L/T^2] at the start of the step; stopped: the step has
 /// stopped the blocks before it moved them (KINDAMP).
-void count_motion(Model& model, const Vec2& gravity, bool stopped,
-                  const WorkSplit& split, Workers& workers, EnergyMemory& memory);
+void count_motion(Model& model, const Vec2& gravity, bool stopped, Workers& workers,
+                  EnergyMemory& memory);
 
 /// Takes what cracks have released. Call it after blocks have split, with the list of
 /// contacts up to date.
-void count_cracks(Model& model, const WorkSplit& split, Workers& workers,
-                  EnergyMemory& memory);
+void count_cracks(Model& model, Workers& workers, EnergyMemory& memory);
 
 /// Takes the energy of blocks that were fixed at the end of the step.
-void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,
-                 Workers& workers, EnergyMemory& memory);
+void count_fixed(Model& model, const ContactArrays& arrays, Workers& workers,
+                 EnergyMemory& memory);
 
 }  // namespace blocks::dynamics

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dynamics/kernels/contact_work.hpp"
-#include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
 
 namespace blocks::dynamics {
@@ -28,20 +27,30 @@ struct BlockTally {
   double error = 0.0;
   double next_strain = 0.0, strain_work = 0.0;
 
-  void include(const BlockTally& other);
+  void include(const BlockTally& other) {
+    gravity += other.gravity;
+    drives += other.drives;
+    artificial += other.artificial;
+    water += other.water;
+    kinetic += other.kinetic;
+    next_kinetic += other.next_kinetic;
+    error += other.error;
+    next_strain += other.next_strain;
+    strain_work += other.strain_work;
+  }
 };
 
 inline constexpr int items_of_chunk = 64;
-/// Adds up visit(i) for all items. Items are added in chunks of a fixed size, and
-/// chunks in their order, so the sum does not depend on the threads.
+/// Adds up all items: calls visit(i, tally) for each of them. Items are added in chunks
+/// of a fixed size, and chunks in their order, so the sum does not depend on the
+/// threads. tallies: working memory.
 template <class Tally, class Visit>
-Tally tally_all(int count, std::vector<Tally>& tallies, const WorkSplit& split,
-                Workers& workers, std::vector<int>& shares, const Visit& visit) {
+Tally tally_all(int count, std::vector<Tally>& tallies, Workers& workers,
+                const Visit& visit) {
   constexpr int chunk = items_of_chunk, chunks_per_thread = 16;
   const int chunks = (count + chunk - 1) / chunk;
   tallies.assign(static_cast<std::size_t>(chunks), {});
-  split.split_evenly(chunks, chunks_per_thread, shares);
-  workers.each(shares, [&](int, int begin, int end) {
+  workers.each_evenly(chunks, chunks_per_thread, [&](int, int begin, int end) {
     for (int k = begin; k < end; ++k)
       for (int i = k * chunk; i < std::min(count, (k + 1) * chunk); ++i)
         visit(i, tallies[static_cast<std::size_t>(k)]);

@@ -4,19 +4,13 @@
 
 namespace blocks::dynamics {
 
-bool stop_at_peak(Model& model, const WorkSplit& split, Workers& workers,
-                  std::vector<BlockTally>& tallies, std::vector<int>& shares) {
+bool stop_at_peak(Model& model, Workers& workers, std::vector<BlockTally>& tallies) {
   Blocks& blocks = model.blocks;
   const bool rigid = model.settings.rigid;
-  const double energy = tally_all(blocks.size(), tallies, split, workers, shares,
-                                  [&](int b, BlockTally& tally) {
-                                    if (!blocks.is_free(b))
-                                      return;
-                                    const BlockMotion motion = motion_of(blocks, b);
-                                    tally.kinetic += kinetic_energy(
-                                        masses_of(blocks, b, rigid), motion, motion);
-                                  })
-                            .kinetic;
+  const auto visit = [&](int b, BlockTally& tally) {
+    tally.kinetic += kinetic_energy(blocks, b, rigid);
+  };
+  const double energy = tally_all(blocks.size(), tallies, workers, visit).kinetic;
   const bool has_peaked = energy < model.last_kinetic_energy;
   model.last_kinetic_energy = has_peaked ? 0.0 : energy;
   if (!has_peaked)

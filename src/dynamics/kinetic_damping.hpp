@@ -14,9 +14,7 @@ namespace blocks::dynamics {
 /// followed the last motion, before the blocks move. If it returns true, the blocks are
 /// at rest at their present positions. Then forces must change the velocities for half
 /// a step only (StepMotion::kick): with a whole one, fast modes would gain energy at
-/// each stop. Updates Model::last_kinetic_energy. tallies, shares:
-/// working memory.
-bool stop_at_peak(Model& model, const WorkSplit& split, Workers& workers,
-                  std::vector<BlockTally>& tallies, std::vector<int>& shares);
+/// each stop. Updates Model::last_kinetic_energy. tallies: working memory.
+bool stop_at_peak(Model& model, Workers& workers, std::vector<BlockTally>& tallies);
 
 }  // namespace blocks::dynamics

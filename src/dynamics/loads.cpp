@@ -1,10 +1,12 @@
 #include "dynamics/loads.hpp"
 
 #include "dynamics/applied_force.hpp"
+#include "dynamics/point_velocity.hpp"
 #include "dynamics/quiet_sides.hpp"
 #include "dynamics/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
+
 PressureForces forces_of(const Blocks& blocks, const Pressure& pressure,
                          double factor) {
   const int c1 = blocks.first_corner[pressure.block] + pressure.side;
@@ -49,6 +51,23 @@ void add_water(Model& model, int begin, int end) {
     for (int i = 0; i < 4; ++i)
       blocks.applied(i, b) += sum.sums[i];
   }
+}
+
+double power_of_loads(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  const TimeFunction& function = model.loads.function;
+  double power = 0.0;
+  for (const Pressure& pressure : model.loads.pressures) {
+    const PressureForces forces =
+        forces_of(blocks, pressure, function.factor(model.time, pressure.arrival));
+    for (int i = 0; i < 2; ++i)
+      power +=
+          forces.force[i].dot(point_velocity(blocks, pressure.block, forces.arm[i]));
+  }
+  for (const CentroidForce& load : model.loads.forces)
+    power += function.factor(model.time, load.arrival) *
+             load.force.dot(Vec2(blocks.velocity.col(load.block)));
+  return power;
 }
 
 void add_loads_of_cards(Model& model) {

@@ -32,6 +32,9 @@ Extremes add_loads(Model& model, const std::vector<int>& shares, Workers& worker
 /// Adds the loads of the cards PRESSBC, FORCE and QUIET only.
 void add_loads_of_cards(Model& model);
 
+/// Returns the power of pressures and of forces at centroids at model.time, [F L/T].
+double power_of_loads(const Model& model);
+
 /// Adds the water on the blocks from begin to end at model.time.
 void add_water(Model& model, int begin, int end);
 

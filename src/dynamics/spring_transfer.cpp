@@ -213,9 +213,8 @@ void put_stiffness(ContactArrays& arrays, const Successor& successor,
 }  // namespace
 
 void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
-                      const Settings& settings, const WorkSplit& split,
-                      Workers& workers, SpringTransfer& transfer,
-                      std::vector<int>& receivers) {
+                      const Settings& settings, Workers& workers,
+                      SpringTransfer& transfer, std::vector<int>& receivers) {
   ContactBatches& batches = arrays.batches;
   std::vector<ReleasedSpring>& released = transfer.released;
   const int count = static_cast<int>(released.size());
@@ -232,8 +231,7 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
   };
   transfer.successors.resize(released.size());
   constexpr int springs_per_thread = 256;
-  split.split_evenly(count, springs_per_thread, transfer.shares);
-  workers.each(transfer.shares, [&](int, int begin, int end) {
+  workers.each_evenly(count, springs_per_thread, [&](int, int begin, int end) {
     for (int i = begin; i < end; ++i)
       transfer.successors[i] = choose(i);
   });

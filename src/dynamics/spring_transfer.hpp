@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dynamics/contacts/contact_arrays.hpp"
-#include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
 
 namespace blocks::dynamics {
@@ -30,7 +29,6 @@ struct Successor {
 struct SpringTransfer {
   std::vector<ReleasedSpring> released;  ///< in any order
   std::vector<Successor> successors;     ///< (released)
-  std::vector<int> shares;               ///< splits them among the threads
 };
 
 /// Passes each released spring to the contact whose normal spring it strengthens most.
@@ -46,8 +44,7 @@ struct SpringTransfer {
 /// contact has received another spring in the meantime, the choice is repeated. Each
 /// batch that has received springs is listed once in `receivers`.
 void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
-                      const Settings& settings, const WorkSplit& split,
-                      Workers& workers, SpringTransfer& transfer,
-                      std::vector<int>& receivers);
+                      const Settings& settings, Workers& workers,
+                      SpringTransfer& transfer, std::vector<int>& receivers);
 
 }  // namespace blocks::dynamics

@@ -57,8 +57,8 @@ StepResult advance(Model& model, Workspace& work, bool readings, double alarm) {
   const Extremes at_contacts = find_contact_forces(model, work);
   const bool reads = readings || !(at_contacts.spring <= alarm);
   if (model.energy.kept)
-    count_forces(model, work.contacts, work.springs.list_is_current(), work.split,
-                 *work.workers, work.energy);
+    count_forces(model, work.contacts, work.springs.list_is_current(), *work.workers,
+                 work.energy);
   if (reads)
     take_readings(model, work);
   batches.advance_springs();
@@ -77,8 +77,7 @@ StepResult advance(Model& model, Workspace& work, bool readings, double alarm) {
   // 5. Motion. Reads forces; writes velocities, strain, stress, corners, motion bounds.
   const Vec2 gravity = settings.gravity_at(model.time);
   const bool stopped = settings.kinetic_damping &&
-                       stop_at_peak(model, work.split, *work.workers,
-                                    work.energy.block_tallies, work.energy.shares);
+                       stop_at_peak(model, *work.workers, work.energy.block_tallies);
   double* const damped = model.energy.kept ? work.energy.damped.data() : nullptr;
   const Displacement moved = move_blocks(
       blocks, settings, {dt, stopped ? 0.5 * dt : dt, gravity, loaded, damped},
@@ -89,14 +88,14 @@ StepResult advance(Model& model, Workspace& work, bool readings, double alarm) {
   model.time = time_after_step(model);
   ++model.steps;
   if (model.energy.kept)
-    count_motion(model, gravity, stopped, work.split, *work.workers, work.energy);
+    count_motion(model, gravity, stopped, *work.workers, work.energy);
 
   // 6. Blocks outside the domain, next search. Reads corners; writes fixities, search.
   update_domain(model, moved.left_domain, moved.largest);
   if (moved.left_domain)
     work.decisions.expire_exact();  // a block that is fixed now may be no third part
   if (model.energy.kept && moved.left_domain)
-    count_fixed(model, work.contacts, work.split, *work.workers, work.energy);
+    count_fixed(model, work.contacts, *work.workers, work.energy);
 
   Extremes all = at_contacts;
   all.include(at_planes);

@@ -97,20 +97,6 @@ bool joins_loads(const std::array<geometry::ChordEnd, 2>& ends,
   return std::abs(length - demand.line.along.norm()) <= 2.0 * tolerance;
 }
 
-/// Energies of a block, [F L].
-struct BlockEnergy {
-  double kinetic = 0.0, strain = 0.0;
-  void add(const Model& model, int b) {
-    const Blocks& blocks = model.blocks;
-    const bool rigid = model.settings.rigid;
-    const BlockMotion motion = motion_of(blocks, b);
-    kinetic += kinetic_energy(masses_of(blocks, b, rigid), motion, motion);
-    if (!rigid)
-      strain +=
-          strain_energy(blocks, b, model.settings.materials.at(blocks.material[b]));
-  }
-};
-
 /// Collects the splits of one call.
 class Cracking {
  public:
@@ -137,11 +123,10 @@ class Cracking {
     const int old = model_.blocks.size();
     split_blocks(model_, splits_);
     for (std::size_t i = 0; i < splits_.size(); ++i) {
-      BlockEnergy after;
-      after.add(model_, splits_[i].block);
-      after.add(model_, old + static_cast<int>(i));
-      records_[i].kinetic_after = after.kinetic;
-      records_[i].strain_after = after.strain;
+      const BlockEnergy first = energy_of(model_, splits_[i].block);
+      const BlockEnergy second = energy_of(model_, old + static_cast<int>(i));
+      records_[i].kinetic_after = first.kinetic + second.kinetic;
+      records_[i].strain_after = first.strain + second.strain;
     }
     model_.cracks.insert(model_.cracks.end(), records_.begin(), records_.end());
   }
@@ -200,8 +185,7 @@ class Cracking {
   }
 
   void record(int b, const CrackDemand& demand, const BlockSplit& split) {
-    BlockEnergy before;
-    before.add(model_, b);
+    const BlockEnergy before = energy_of(model_, b);
     CrackRecord made;
     made.step = model_.steps;
     made.time = model_.time;
@@ -271,7 +255,7 @@ int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers,
   model.kept = {};
   work.springs.list_changed();
   if (model.energy.kept)
-    count_cracks(model, work.split, *work.workers, work.energy);
+    count_cracks(model, *work.workers, work.energy);
   return cracking.cracks();
 }
 

@@ -39,13 +39,6 @@ void WorkSplit::split_batches(const std::vector<int>& first_batch) {
     batches[k] = first_batch[first_window(k, shares)];
 }
 
-void WorkSplit::split_evenly(int count, int least, std::vector<int>& begins) const {
-  const int shares = shares_of(threads_, count, least);
-  begins.resize(static_cast<std::size_t>(shares) + 1);
-  for (int k = 0; k <= shares; ++k)
-    begins[k] = static_cast<int>(long{count} * k / shares);
-}
-
 /// Returns the first window of a share. Contacts take about three quarters of the time
 /// of a step and blocks one quarter, so the shares balance both.
 int WorkSplit::first_window(int share, int shares) const {

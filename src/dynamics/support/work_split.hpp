@@ -27,10 +27,6 @@ struct WorkSplit {
   }
   /// Divides the batches. first_batch: (windows + 1) the first batch of each window.
   void split_batches(const std::vector<int>& first_batch);
-  /// Divides `count` items evenly and writes the borders of the shares to `begins`.
-  /// Each share has at least `least` items, if there are as many. Does not allocate
-  /// once `begins` has had room for all threads.
-  void split_evenly(int count, int least, std::vector<int>& begins) const;
 
  private:
   void split_windows(int thread_count);

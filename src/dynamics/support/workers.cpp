@@ -51,6 +51,7 @@ Range piece_of(Range share, std::uint32_t piece) {
 Workers::Workers(int threads)
     : shares_(
           std::make_unique<Share[]>(static_cast<std::size_t>(std::max(1, threads)))) {
+  begins_.reserve(static_cast<std::size_t>(std::max(1, threads)) + 1);
   for (int thread = 1; thread < threads; ++thread)
     others_.emplace_back([this, thread] { serve(thread); });
 }
@@ -61,6 +62,13 @@ Workers::~Workers() {
   number_.notify_all();
   for (std::thread& other : others_)
     other.join();
+}
+
+void Workers::split_evenly(int count, int least) {
+  const int shares = std::max(1, std::min(threads(), count / least));
+  begins_.resize(static_cast<std::size_t>(shares) + 1);
+  for (int k = 0; k <= shares; ++k)
+    begins_[static_cast<std::size_t>(k)] = static_cast<int>(long{count} * k / shares);
 }
 
 void Workers::run(const Task& task) {

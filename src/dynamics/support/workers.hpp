@@ -43,6 +43,12 @@ class Workers {
     };
     run({call, &work, begins.data(), shares});
   }
+  /// The same for `count` items in equal shares, each of at least `least` items if
+  /// there are as many.
+  template <class Work> void each_evenly(int count, int least, const Work& work) {
+    split_evenly(count, least);
+    each(begins_, work);
+  }
 
  private:
   /// Adds the time until it is destroyed, if there is a number to add it to.
@@ -76,6 +82,7 @@ class Workers {
   struct alignas(64) Share {
     std::atomic<std::uint64_t> next = ~std::uint64_t{0};
   };
+  void split_evenly(int count, int least);
   void run(const Task& task);
   void take_pieces(int thread, std::uint32_t number);
   void serve(int thread);
@@ -86,6 +93,7 @@ class Workers {
   std::atomic<bool> over_ = false;
   std::unique_ptr<Share[]> shares_;  ///< (threads)
   std::vector<std::thread> others_;
+  std::vector<int> begins_;  ///< of the shares of each_evenly
   double* seconds_ = nullptr;
 };
 
