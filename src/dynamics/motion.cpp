@@ -4,12 +4,14 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "dynamics/domain.hpp"
 
 namespace blocks::dynamics {
 namespace {
+
+static_assert(static_cast<int>(Fixity::driven) == driven_bit &&
+              static_cast<int>(Fixity::removed) < driven_bit);
 
 BlockColumns columns_of(Blocks& blocks) {
   return {.first_corner = blocks.first_corner.data(),
@@ -39,46 +41,30 @@ template <class Work> void each_part(BlockRange range, const Work& work) {
     work(first, std::min(range.end, first + max_at_once));
 }
 
-/// The elastic moduli of each block of a piece. Those of fixed blocks are not used.
-struct ModuliOfBlocks {
-  double c11[max_at_once], c12[max_at_once], twice_shear[max_at_once];
+/// The constants of the materials of each block of a piece.
+struct MaterialsOfBlocks {
+  double c11[max_at_once], c12[max_at_once], twice_shear[max_at_once],
+      damping[max_at_once];
 
-  ModuliOfBlocks(const Blocks& blocks, int first, int last, const Settings& settings) {
-    // Moduli are looked up only when the material changes: successive blocks often have
-    // the same one, such as those of a layer.
+  MaterialsOfBlocks(const Blocks& blocks, int first, int last,
+                    const Settings& settings) {
+    // Materials are looked up only when they change: successive blocks often have the
+    // same one, such as those of a layer.
     int material = 0;
-    double now_c11 = 0.0, now_c12 = 0.0, now_twice_shear = 0.0;
+    double now_c11 = 0.0, now_c12 = 0.0, now_twice_shear = 0.0, now_damping = 0.0;
     for (int b = first; b < last; ++b) {
       if (blocks.is_free(b) && blocks.material[b] != material) {
         material = blocks.material[b];
         const Material& m = settings.materials.at(material);
         now_c11 = m.c11(), now_c12 = m.c12(), now_twice_shear = 2.0 * m.shear_modulus;
+        now_damping = 2.0 * m.damping * std::sqrt(now_c11);
       }
-      c11[b - first] = now_c11, c12[b - first] = now_c12;
-      twice_shear[b - first] = now_twice_shear;
+      const int k = b - first;
+      c11[k] = now_c11, c12[k] = now_c12, twice_shear[k] = now_twice_shear;
+      damping[k] = now_damping;
     }
   }
-  Moduli columns() const { return {c11, c12, twice_shear}; }
-};
-
-/// The factors 2 z sqrt(C11) of each block of a piece (VibrationDamping::factor). Those
-/// of fixed blocks are not used.
-struct VibrationFactors {
-  double factor[max_at_once];
-
-  VibrationFactors(const Blocks& blocks, int first, int last,
-                   const Settings& settings) {
-    int material = 0;
-    double now = 0.0;
-    for (int b = first; b < last; ++b) {
-      if (blocks.is_free(b) && blocks.material[b] != material) {
-        material = blocks.material[b];
-        const Material& m = settings.materials.at(material);
-        now = 2.0 * m.damping * std::sqrt(m.c11());
-      }
-      factor[b - first] = now;
-    }
-  }
+  MaterialColumns columns() const { return {c11, c12, twice_shear, damping}; }
 };
 
 }  // namespace
@@ -149,31 +135,20 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
 }
 
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double kick, double dt, const Kernels& by) {
+                   const StepMotion& step, const double* rates, const Kernels& by) {
   each_part(range, [&](int first, int last) {
-    const ModuliOfBlocks moduli(blocks, first, last, settings);
-    by.update_strain(columns_of(blocks), moduli.columns(), first, last, kick, dt);
+    const MaterialsOfBlocks materials(blocks, first, last, settings);
+    VibrationDamping damping{nullptr, step.damped};
+    if (rates != nullptr)
+      damping.rates = rates + std::ptrdiff_t{4} * (first - range.begin);
+    by.update_strain(columns_of(blocks), materials.columns(), damping, first, last,
+                     step.kick, step.dt);
   });
 }
 
 bool damps_vibration(const Settings& settings) {
   return std::any_of(settings.materials.begin(), settings.materials.end(),
                      [](const auto& of) { return of.second.damping > 0.0; });
-}
-
-void update_damped_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                          const StepMotion& step, const double* rates,
-                          const Kernels& by) {
-  each_part(range, [&](int first, int last) {
-    const ModuliOfBlocks moduli(blocks, first, last, settings);
-    const VibrationFactors factors(blocks, first, last, settings);
-    const VibrationDamping damping = {.factor = factors.factor,
-                                      .rates = rates + std::ptrdiff_t{4} *
-                                                           (first - range.begin),
-                                      .work = step.damped};
-    by.update_damped_strain(columns_of(blocks), moduli.columns(), damping, first, last,
-                            step.kick, step.dt);
-  });
 }
 
 Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds,
@@ -197,29 +172,12 @@ Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds
   return result;
 }
 
-Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
-                         MotionBounds& bounds, const Settings& settings, double dt,
-                         const Kernels& by) {
-  Displacement all;
-  for (const Drive& drive : drives) {
-    // The kernel moves free blocks only.
-    Fixity& fixity = blocks.fixity[drive.block];
-    const Fixity fixed = std::exchange(fixity, Fixity::free);
-    all.include(
-        move_corners(blocks, {drive.block, drive.block + 1}, bounds, settings, dt, by));
-    fixity = fixed;
-  }
-  return all;
-}
-
 Displacement move_blocks(Blocks& blocks, const Settings& settings,
                          const StepMotion& step, const ContactArrays& contacts,
-                         const std::vector<Drive>& drives, MotionBounds& bounds,
-                         const std::vector<int>& shares, Workers& workers,
-                         std::vector<Displacement>& threads) {
+                         MotionBounds& bounds, const std::vector<int>& shares,
+                         Workers& workers, std::vector<Displacement>& threads) {
   // Data that one stage has read are still in the cache when the next stage needs them.
   constexpr int blocks_at_once = 64;
-  const double dt = step.dt;
   const bool vibration = !settings.rigid && damps_vibration(settings);
   threads.assign(threads.size(), {});
   workers.each(shares, [&](int thread, int begin, int end) {
@@ -233,18 +191,15 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings,
       if (settings.local_damping > 0.0)
         damp_unbalanced(blocks, range, settings, step);
       update_velocities(blocks, range, step.gravity, step.kick);
-      if (vibration)
-        update_damped_strain(blocks, range, settings, step, rates.data());
-      else if (!settings.rigid)
-        update_strain(blocks, range, settings, step.kick, dt);
-      threads[thread].include(move_corners(blocks, range, bounds, settings, dt));
+      if (!settings.rigid)
+        update_strain(blocks, range, settings, step,
+                      vibration ? rates.data() : nullptr);
+      threads[thread].include(move_corners(blocks, range, bounds, settings, step.dt));
     }
   });
   Displacement all;
   for (const Displacement& part : threads)
     all.include(part);
-  if (!drives.empty())
-    all.include(move_driven(blocks, drives, bounds, settings, dt));
   bounds.grow(all.finite ? all.bound : std::numeric_limits<double>::infinity());
   return all;
 }

@@ -54,9 +54,8 @@ struct StepMotion {
 /// memory, one for each thread.
 Displacement move_blocks(Blocks& blocks, const Settings& settings,
                          const StepMotion& step, const ContactArrays& contacts,
-                         const std::vector<Drive>& drives, MotionBounds& bounds,
-                         const std::vector<int>& shares, Workers& workers,
-                         std::vector<Displacement>& threads);
+                         MotionBounds& bounds, const std::vector<int>& shares,
+                         Workers& workers, std::vector<Displacement>& threads);
 
 // The stages of move_blocks, each for a range of blocks.
 
@@ -79,33 +78,23 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
 /// (10): updates the strain rates of free blocks. They are driven by the symmetric part
 /// of applied minus internal stress, divided by the effective mass l_j^2 M / (4 A).
 /// (12): then updates the internal stress of free blocks by plane strain elasticity.
-/// Deformable runs only. kick: StepMotion::kick.
+/// Deformable runs only. rates: 1/T (4, range) strain rates of the range before the
+/// step, which damp_unbalanced may have changed; null if no material damps vibration.
+/// The energy that this damping takes is added to step.damped
+/// (docs/cracks.md#damping-of-vibration).
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double kick, double dt, const Kernels& by = kernels());
+                   const StepMotion& step, const double* rates,
+                   const Kernels& by = kernels());
 
 /// Returns whether the vibration of blocks of some material is damped (MDAMP).
 bool damps_vibration(const Settings& settings);
 
-/// The same as update_strain, with the damping of the materials. rates: 1/T (4, range)
-/// strain rates of the range before the step, which damp_unbalanced may have changed.
-/// The energy that damping takes is added to step.damped
-/// (docs/cracks.md#damping-of-vibration).
-void update_damped_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                          const StepMotion& step, const double* rates,
-                          const Kernels& by = kernels());
-
-/// (3), (13)-(15): updates centroids, angles, deformation gradients and corners. The
-/// gradient becomes R (I + strain rate dt) gradient, where R is the Cayley rotation of
-/// spin dt. R also turns stress and strain rate. Reads bounds.longest, advances
-/// bounds.path.
+/// (3), (13)-(15): updates centroids, angles, deformation gradients and corners of free
+/// and driven blocks. The gradient becomes R (I + strain rate dt) gradient, where R is
+/// the Cayley rotation of spin dt. R also turns stress and strain rate. Reads
+/// bounds.longest, advances bounds.path.
 Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds,
                           const Settings& settings, double dt,
                           const Kernels& by = kernels());
-
-/// Moves driven blocks at their velocity and spin, as move_corners moves free blocks.
-/// No force acts on them.
-Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
-                         MotionBounds& bounds, const Settings& settings, double dt,
-                         const Kernels& by = kernels());
 
 }  // namespace blocks::dynamics

@@ -79,10 +79,10 @@ StepResult advance(Model& model, Workspace& work, bool readings, double alarm) {
   const bool stopped = settings.kinetic_damping &&
                        stop_at_peak(model, *work.workers, work.energy.block_tallies);
   double* const damped = model.energy.kept ? work.energy.damped.data() : nullptr;
-  const Displacement moved = move_blocks(
-      blocks, settings, {dt, stopped ? 0.5 * dt : dt, gravity, loaded, damped},
-      work.contacts, model.drives, work.decisions.bounds, work.split.blocks,
-      *work.workers, work.moved);
+  const Displacement moved =
+      move_blocks(blocks, settings,
+                  {dt, stopped ? 0.5 * dt : dt, gravity, loaded, damped}, work.contacts,
+                  work.decisions.bounds, work.split.blocks, *work.workers, work.moved);
   if (settings.rigid && reads)
     blocks.applied.array().rowwise() /= blocks.area.transpose().array();
   model.time = time_after_step(model);

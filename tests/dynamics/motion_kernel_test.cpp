@@ -167,12 +167,9 @@ Displacement step_by(const Kernels& by, Scene& scene, double dt) {
       scene.range.begin, scene.range.end - scene.range.begin);
   damp_unbalanced(blocks, scene.range, scene.settings, step, by);
   update_velocities(blocks, scene.range, scene.settings.gravity, dt, by);
-  if (!scene.settings.rigid) {
-    if (damps_vibration(scene.settings))
-      update_damped_strain(blocks, scene.range, scene.settings, step, rates.data(), by);
-    else
-      update_strain(blocks, scene.range, scene.settings, dt, dt, by);
-  }
+  if (!scene.settings.rigid)
+    update_strain(blocks, scene.range, scene.settings, step,
+                  damps_vibration(scene.settings) ? rates.data() : nullptr, by);
   return move_corners(blocks, scene.range, scene.bounds, scene.settings, dt, by);
 }
 
@@ -224,9 +221,9 @@ TEST(MotionKernel, MdampKeepsTheBitsOfBlocksOfOtherMaterials) {
         const StepMotion step = {.dt = 0.125, .kick = 0.0625};
         const Eigen::Matrix4Xd rates = blocks.strain_rate.middleCols(
             scene.range.begin, scene.range.end - scene.range.begin);
-        update_strain(plain.blocks, scene.range, scene.settings, 0.0625, 0.125, by);
-        update_damped_strain(found.blocks, scene.range, found.settings, step,
-                             rates.data(), by);
+        update_strain(plain.blocks, scene.range, scene.settings, step, nullptr, by);
+        update_strain(found.blocks, scene.range, found.settings, step, rates.data(),
+                      by);
         for (int b = scene.range.begin; b < scene.range.end; ++b)
           if (z > 0.0 && blocks.is_free(b) && blocks.material[b] == 2) {
             plain.blocks.strain_rate.col(b) = found.blocks.strain_rate.col(b);

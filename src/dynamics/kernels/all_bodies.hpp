@@ -20,7 +20,6 @@ constinit const Kernels kernels = {BLOCKS_NAME_OF(BLOCKS_INSTRUCTION_SET),
                                    damp_unbalanced,
                                    update_velocities,
                                    update_strain,
-                                   update_damped_strain,
                                    move};
 
 }  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

@@ -12,7 +12,7 @@ template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) 
   return corners + 2 * static_cast<std::ptrdiff_t>(c);
 }
 
-/// Returns whether the pack is full and all its blocks are free and have four corners.
+/// Returns whether the pack is full and all its blocks move and have four corners.
 /// Their corners then fill eight registers, in the order of the blocks.
 template <class Lanes>
 BLOCKS_INLINE bool all_have_four_corners(const BlockColumns& blocks, int b,
@@ -22,7 +22,7 @@ BLOCKS_INLINE bool all_have_four_corners(const BlockColumns& blocks, int b,
   const int* const first = blocks.first_corner + b;
   const Ints unlike =
       load_ints(first + 1, AllLanes{}) - load_ints(first, AllLanes{}) - 4;
-  return !any(unlike | load_ints(blocks.fixity + b, AllLanes{}));
+  return !any(unlike | (load_ints(blocks.fixity + b, AllLanes{}) & ~driven_bit));
 }
 
 /// Calls work(count, c) for the corners of a block, `count` of them from corner c on.
@@ -66,7 +66,7 @@ struct CornerMotion {
   }
 };
 
-/// (13)-(15) for the corners of the free blocks of a pack, which begins with block b.
+/// (13)-(15) for the corners of the moving blocks of a pack, which begins with block b.
 template <class Lanes>
 BLOCKS_INLINE void move_corners(const BlockColumns& blocks, int b, Lanes lanes,
                                 const Tensor& gradient, const Points& centroid) {
@@ -88,7 +88,7 @@ BLOCKS_INLINE void move_corners(const BlockColumns& blocks, int b, Lanes lanes,
     return;
   }
   for (int k = 0; k < lanes.count; ++k)
-    if (blocks.fixity[b + k] == Fixity{})
+    if ((static_cast<int>(blocks.fixity[b + k]) & ~driven_bit) == 0)
       each_piece(
           blocks.first_corner[b + k], blocks.first_corner[b + k + 1],
           [&](auto corners, int c) __attribute__((always_inline)) {

@@ -37,17 +37,13 @@ struct Kernels {
   /// (1), (2): updates velocities and spins. kick: StepMotion::kick.
   void (*update_velocities)(const BlockColumns&, int begin, int end, double gravity_x,
                             double gravity_y, double kick);
-  /// (10), (12): updates strain rates and stresses. The moduli begin with those of
-  /// block `begin`.
-  void (*update_strain)(const BlockColumns&, const Moduli&, int begin, int end,
-                        double kick, double dt);
-  /// The same with damping of vibration, whose factors and rates begin with those of
-  /// block `begin`.
-  void (*update_damped_strain)(const BlockColumns&, const Moduli&,
-                               const VibrationDamping&, int begin, int end, double kick,
-                               double dt);
-  /// (3), (13)-(15): moves at most max_at_once blocks. longest_arm and path: the
-  /// columns of MotionBounds.
+  /// (10), (12): updates strain rates and stresses. Materials and rates begin with
+  /// those of block `begin`.
+  void (*update_strain)(const BlockColumns&, const MaterialColumns&,
+                        const VibrationDamping&, int begin, int end, double kick,
+                        double dt);
+  /// (3), (13)-(15): moves free and driven blocks, at most max_at_once. longest_arm and
+  /// path: the columns of MotionBounds.
   Moved (*move)(const BlockColumns&, const double* longest_arm, double* path,
                 const Rectangle& domain, bool rigid, int begin, int end, double dt);
 };

@@ -9,6 +9,9 @@ enum class Fixity : int;
 
 namespace blocks::dynamics {
 
+/// A block moves if its fixity has no other bit: it is free or driven.
+inline constexpr int driven_bit = 4;
+
 /// The columns of Blocks that the motion kernels read and write.
 struct BlockColumns {
   const int* first_corner;
@@ -19,10 +22,12 @@ struct BlockColumns {
   double *corner, *centroid, *gradient, *angle, *velocity, *spin;
   double *stress, *strain_rate;
 };
-/// The elastic constants of (12) for successive blocks, [F/L^2].
-struct Moduli {
-  const double *c11, *c12;
-  const double* twice_shear;  ///< 2 G
+/// Constants of the materials of successive blocks. Those of fixed blocks are not used.
+struct MaterialColumns {
+  const double *c11, *c12;    ///< [F/L^2] of (12)
+  const double* twice_shear;  ///< [F/L^2] 2 G
+  /// [(F/L^2)^1/2] 2 z sqrt(C11); 0: no damping of vibration
+  const double* damping;
 };
 /// A motion that is slower than this part of its loss by local damping in a step has
 /// its direction from rounding, and is not damped.
@@ -36,9 +41,8 @@ struct LocalDamping {
 /// What the damping of vibration needs to know of a step
 /// (docs/cracks.md#damping-of-vibration).
 struct VibrationDamping {
-  /// [(F/L^2)^1/2] 2 z sqrt(C11) of successive blocks; 0: no damping
-  const double* factor;
-  const double* rates;  ///< 1/T (4, n) strain rates of the same blocks before the step
+  /// 1/T (4, n) strain rates of the blocks before the step; null: no block is damped
+  const double* rates;
   double* work;  ///< [F L] (n) the energy taken from each block is added to it; or null
 };
 /// The domain, [L].

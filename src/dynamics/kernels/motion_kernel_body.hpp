@@ -97,9 +97,9 @@ struct MovedLanes {
   }
 };
 
-/// Returns bit k for each free block k that may be outside the domain: some point
+/// Returns bit k for each moving block k that may be outside the domain: some point
 /// within `reach` of its centroid is not inside.
-BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Pack reach,
+BLOCKS_INLINE std::uint64_t near_edge(Mask moves, const Points& centroid, Pack reach,
                                       const Rectangle& domain) {
   const Points least = centroid - twice(reach), most = centroid + twice(reach);
   const Points lower = everywhere(domain.lower_x, domain.lower_y);
@@ -109,8 +109,8 @@ BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Pack re
     inside[i] = (least.part[i] >= lower.part[i]) & (most.part[i] <= upper.part[i]);
   if (!any(~(inside[0] & inside[1])))
     return 0;
-  const Mask outside = free & ~(even(inside[0], inside[1], EachLane()) &
-                                odd(inside[0], inside[1], EachLane()));
+  const Mask outside = moves & ~(even(inside[0], inside[1], EachLane()) &
+                                 odd(inside[0], inside[1], EachLane()));
   std::uint64_t bits = 0;
   for (int k = 0; k < width; ++k)
     bits |= static_cast<std::uint64_t>(outside[k] & 1) << k;
@@ -122,16 +122,16 @@ template <bool rigid, class Lanes>
 BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_arm,
                              double* path, const Rectangle& domain, int first, int b,
                              Lanes lanes, double dt, MovedLanes& moved) {
-  const Mask free = free_lanes(blocks, b, lanes);
+  const Mask moves = moving_lanes(blocks, b, lanes);
   // (3). The distance is that of the stored centroids, because rounding may make it
   // larger than velocity times dt.
   const Points from = load_columns<2>(blocks.centroid, b, lanes);
   const Points centroid = from + dt * load_columns<2>(blocks.velocity, b, lanes);
   const Pack went = root(squared_norm(centroid - from));
-  store_columns(blocks.centroid, b, lanes, select(free, centroid, from));
+  store_columns(blocks.centroid, b, lanes, select(moves, centroid, from));
   const Pack turn = dt * load(blocks.spin + b, lanes);
   const Pack angle = load(blocks.angle + b, lanes);
-  store(blocks.angle + b, lanes, free ? angle + turn : angle);
+  store(blocks.angle + b, lanes, moves ? angle + turn : angle);
 
   // (13)-(15)
   const Cayley rotation(turn);
@@ -142,20 +142,21 @@ BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_a
     arms = move_rigid_arms(before, rotation, turn, longest);
   } else {
     const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
-    store_rows(blocks.stress, b, lanes, select(free, rotation.turned(stress), stress));
+    store_rows(blocks.stress, b, lanes, select(moves, rotation.turned(stress), stress));
     const Tensor rate = load_rows<4>(blocks.strain_rate, b, lanes);
-    store_rows(blocks.strain_rate, b, lanes, select(free, rotation.turned(rate), rate));
+    store_rows(blocks.strain_rate, b, lanes,
+               select(moves, rotation.turned(rate), rate));
     arms = move_deformable_arms(before, rotation, rate, dt, longest);
   }
-  store_rows(blocks.gradient, b, lanes, select(free, arms.gradient, before));
+  store_rows(blocks.gradient, b, lanes, select(moves, arms.gradient, before));
   move_corners(blocks, b, lanes, arms.gradient, centroid);
 
   const Pack bound = 1.0000001 * (went + 2.0 * arms.change);
-  moved.bound = larger(free ? bound : Pack{}, moved.bound);
+  moved.bound = larger(moves ? bound : Pack{}, moved.bound);
   const Pack before_step = load(path + b, lanes);
   const Pack after_step = before_step + (bound + 0x1p-51 * before_step);
-  store(path + b, lanes, free ? after_step : before_step);
-  const Pack distance = went + arms.change, reached = free ? distance : Pack{};
+  store(path + b, lanes, moves ? after_step : before_step);
+  const Pack distance = went + arms.change, reached = moves ? distance : Pack{};
   const Mask farther = reached > moved.largest;
   moved.largest = farther ? reached : moved.largest;
   moved.block = farther ? b + number_of_each_lane(EachLane()) : moved.block;
@@ -163,8 +164,8 @@ BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_a
   // not.
   const Tensor& g = arms.gradient;
   const Pack numbers = distance + ((g[0] + g[1]) + (g[2] + g[3]));
-  moved.sum += free ? numbers : Pack{};
-  moved.near_edge |= near_edge(free, centroid, longest * arms.stretch, domain)
+  moved.sum += moves ? numbers : Pack{};
+  moved.near_edge |= near_edge(moves, centroid, longest * arms.stretch, domain)
                      << (b - first);
 }
 
@@ -184,11 +185,10 @@ Moved move_range(const BlockColumns blocks, const double* longest_arm, double* p
 /// Blocks without damping keep their bits, because 0 times a rate may be -0 or NaN.
 template <class Lanes>
 BLOCKS_INLINE Symmetric damp_vibration(const BlockColumns& blocks,
-                                       const VibrationDamping& damping, Mask free,
-                                       int first, int b, Lanes lanes, double kick,
-                                       const StrainMass& mass,
+                                       const VibrationDamping& damping, Pack factor,
+                                       Mask free, int first, int b, Lanes lanes,
+                                       double kick, const StrainMass& mass,
                                        const Symmetric& driving) {
-  const Pack factor = load(damping.factor + (b - first), lanes);
   const Mask damps = free & (factor > 0.0);
   const Symmetric rate = symmetric(load_rows<4>(damping.rates, b - first, lanes));
   const Symmetric slows = factor * symmetric_product(mass.square_root(), rate);
@@ -202,11 +202,11 @@ BLOCKS_INLINE Symmetric damp_vibration(const BlockColumns& blocks,
           damps ? damped.yy : driving.yy};
 }
 
-/// (10), (12) for the blocks [first, last). damping is null if no block is damped.
+/// (10), (12) for the blocks [first, last). damped: whether vibration is damped.
 template <bool damped>
-BLOCKS_INLINE void update_range(const BlockColumns& blocks, const Moduli& moduli,
-                                const VibrationDamping* damping, int first, int last,
-                                double kick, double dt) {
+void update_range(const BlockColumns& blocks, const MaterialColumns& materials,
+                  const VibrationDamping& damping, int first, int last, double kick,
+                  double dt) {
   each_pack(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
         const Mask free = free_lanes(blocks, b, lanes);
@@ -216,17 +216,18 @@ BLOCKS_INLINE void update_range(const BlockColumns& blocks, const Moduli& moduli
         const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
         Symmetric driving = driving_stress(blocks, stress, b, lanes);
         if constexpr (damped)
-          driving = damp_vibration(blocks, *damping, free, first, b, lanes, kick, mass,
-                                   driving);
+          driving = damp_vibration(blocks, damping,
+                                   load(materials.damping + (b - first), lanes), free,
+                                   first, b, lanes, kick, mass, driving);
         const Symmetric more = mass.accelerations(driving);
         const Tensor rate =
             tensor({before[0] + kick * more.xx, before[1] + kick * more.xy,
                     before[3] + kick * more.yy});
         store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
         // (12)
-        const Pack c11 = load(moduli.c11 + (b - first), lanes);
-        const Pack c12 = load(moduli.c12 + (b - first), lanes);
-        const Pack twice_shear = load(moduli.twice_shear + (b - first), lanes);
+        const Pack c11 = load(materials.c11 + (b - first), lanes);
+        const Pack c12 = load(materials.c12 + (b - first), lanes);
+        const Pack twice_shear = load(materials.twice_shear + (b - first), lanes);
         const Tensor after = tensor({stress[0] + dt * (c11 * rate[0] + c12 * rate[3]),
                                      stress[1] + dt * twice_shear * rate[1],
                                      stress[3] + dt * (c12 * rate[0] + c11 * rate[3])});
@@ -259,15 +260,12 @@ void update_velocities(const BlockColumns& blocks, int first, int last,
       });
 }
 
-void update_strain(const BlockColumns& blocks, const Moduli& moduli, int first,
-                   int last, double kick, double dt) {
-  update_range<false>(blocks, moduli, nullptr, first, last, kick, dt);
-}
-
-void update_damped_strain(const BlockColumns& blocks, const Moduli& moduli,
-                          const VibrationDamping& damping, int first, int last,
-                          double kick, double dt) {
-  update_range<true>(blocks, moduli, &damping, first, last, kick, dt);
+void update_strain(const BlockColumns& blocks, const MaterialColumns& materials,
+                   const VibrationDamping& damping, int first, int last, double kick,
+                   double dt) {
+  const auto update =
+      damping.rates != nullptr ? update_range<true> : update_range<false>;
+  update(blocks, materials, damping, first, last, kick, dt);
 }
 
 Moved move(const BlockColumns& blocks, const double* longest_arm, double* path,
