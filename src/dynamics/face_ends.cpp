@@ -10,9 +10,9 @@ namespace {
 constexpr double sliding = 0x1p-10;
 
 /// The two contacts at one end of a face.
-class FaceEnd {
+class SharedEnd {
  public:
-  FaceEnd(const Blocks& blocks, ContactArrays& arrays, int first, int second)
+  SharedEnd(const Blocks& blocks, ContactArrays& arrays, int first, int second)
       : blocks_(blocks), arrays_(arrays),
         batches_(arrays.batches), ends_{Contact(*this, first), Contact(*this, second)} {
   }
@@ -43,7 +43,7 @@ class FaceEnd {
     CornerOnEdge at;
     bool acts, acted;  ///< in this step, in the step before
 
-    Contact(const FaceEnd& of, int number)
+    Contact(const SharedEnd& of, int number)
         : slot(number), at(of.arrays_.at(number)),
           acts(of.batches_.is(number, &ContactStates::acts)),
           acted(acts ? !of.batches_.is(number, &ContactStates::starts)
@@ -137,13 +137,13 @@ void share_ends(const Blocks& blocks, ContactArrays& arrays, int batch) {
   for (int k = 0; k < lane_count; ++k) {
     if ((changed >> k & 1U) == 0)
       continue;
-    // Of the two contacts at an end, each is beside the other.
+    // Of the two contacts at an end, each is the partner of the other.
     for (int row = 0; row < pairs.rows; ++row)
-      for (const auto beside : {&FaceRow::beside_before, &FaceRow::beside_after}) {
+      for (const auto partner : {&FaceRow::partner_before, &FaceRow::partner_after}) {
         const int slot = (pairs.first_row + row) * lane_count + k;
-        const int other = batches.at(slot, beside);
+        const int other = batches.at(slot, partner);
         if (other > row)
-          FaceEnd(blocks, arrays, slot, (pairs.first_row + other) * lane_count + k)
+          SharedEnd(blocks, arrays, slot, (pairs.first_row + other) * lane_count + k)
               .share();
       }
     batches.find_shared_ends(batch, k);

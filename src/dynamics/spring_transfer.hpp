@@ -34,8 +34,9 @@ struct SpringTransfer {
 /// Passes each released spring to the contact whose normal spring it strengthens most.
 /// A candidate acts. It has the same corner and an edge within 90 degrees, or it
 /// belongs to the same pair and has a nearly parallel edge
-/// (geometry::successor_cosine). It takes the shear spring only if it has none. If both
-/// contacts have laws with a stiffness of their own, the candidate nearest to the
+/// (geometry::successor_cosine). It takes the shear spring only if it has none. A
+/// contact whose law has a stiffness of its own passes its springs only to another one.
+/// Then the edges must be nearly parallel in any case, and the candidate nearest to the
 /// released corner takes the springs: forces and stiffnesses are added to its own
 /// (docs/laws.md#length). After INSITU, springs held by an offset are added in any
 /// case, and the successor is held too (docs/rest.md#stress-in-the-ground). All

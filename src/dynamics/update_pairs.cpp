@@ -30,7 +30,7 @@ std::vector<NearPair> pairs_with_springs(const PairIndex& index,
   for (std::size_t k = 0; k < contacts.pair.size(); ++k)
     for (int i = contacts.first[k]; i < contacts.first[k + 1]; ++i)
       if (const PairContact contact = contacts.at(static_cast<std::size_t>(i));
-          contact.normal > 0.0 || contact.is_held()) {
+          contact.normal > 0.0 || contact.may_be_held()) {
         found.push_back(index.pairs[contacts.pair[k]]);
         break;
       }

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "dynamics/contacts/beside_contacts.hpp"
 #include "dynamics/contacts/dashpot.hpp"
+#include "dynamics/contacts/partners.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -62,8 +62,8 @@ void ContactArrays::put_joint(int slot, const JointState& state) {
              batches.joints[slot / lane_count], state);
 }
 
-/// Finds the laws of the contacts of pair p and the records beside them.
-void ContactArrays::find_faces(const Blocks& blocks, int p) {
+/// Finds the laws of the contacts of pair p and their partners.
+void ContactArrays::find_partners(const Blocks& blocks, int p) {
   const int batch = lane_of_pair[p] / lane_count;
   const int k = lane_of_pair[p] % lane_count;
   const BatchPairs& pairs = batches.pairs[batch];
@@ -83,8 +83,8 @@ void ContactArrays::find_faces(const Blocks& blocks, int p) {
     face.law[k] = vacant ? 0 : laws.law_of(blocks, corner, edge);
     face.before[k] = before;
     face.after[k] = vacant ? 0 : blocks.next[corner];
-    face.beside_before[k] = vacant ? short{-1} : row_with(edge, before);
-    face.beside_after[k] = vacant ? short{-1} : row_with(blocks.next[edge], corner);
+    face.partner_before[k] = vacant ? short{-1} : row_with(edge, before);
+    face.partner_after[k] = vacant ? short{-1} : row_with(blocks.next[edge], corner);
     if (!vacant)
       batches.include_law(batch, face.law[k], laws.bit(face.law[k]));
   });
@@ -216,7 +216,7 @@ void ContactArrays::fill_slots(const Blocks& blocks, const PairIndex& index,
                 some.at(static_cast<std::size_t>(i++)));
   });
   if (has_laws(p))
-    find_faces(blocks, p);
+    find_partners(blocks, p);
 }
 
 void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
@@ -239,13 +239,10 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
     put_joint(slot, contact.joint);
 }
 
-/// Adds the held contacts of `before` to `now`, in order. Leaves out contacts whose
-/// corner is bonded to another edge of the block. Returns whether any contact is held.
-bool ContactArrays::keep_held(std::vector<PairContact>& now,
+/// Adds the contacts of `before` that may be held to `now`, in order. Leaves out
+/// contacts whose corner is bonded to another edge of the block.
+void ContactArrays::keep_held(std::vector<PairContact>& now,
                               const std::vector<PairContact>& before) const {
-  const auto is_held = [](const PairContact& contact) { return contact.is_held(); };
-  if (std::none_of(before.begin(), before.end(), is_held))
-    return false;
   std::erase_if(now, [&](const PairContact& found) {
     return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
       return old.acted && old.joint.bonded && old.at.corner == found.at.corner &&
@@ -253,7 +250,7 @@ bool ContactArrays::keep_held(std::vector<PairContact>& now,
     });
   });
   for (const PairContact& old : before) {
-    if (!old.is_held())
+    if (!old.may_be_held())
       continue;
     const auto place = std::lower_bound(now.begin(), now.end(), old,
                                         [](const PairContact& l, const PairContact& r) {
@@ -262,7 +259,6 @@ bool ContactArrays::keep_held(std::vector<PairContact>& now,
     if (place == now.end() || place->at != old.at)
       now.insert(place, PairContact{{.at = old.at}});
   }
-  return true;
 }
 
 void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
@@ -270,14 +266,15 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
                            ContactChanges& changes) {
   std::vector<PairContact>& now = changes.now;
   sort_contacts(found, tested, now);
-  bool held = false;
-  if (has_laws(p)) {
+  const std::vector<PairContact>& before = changes.before;
+  const bool may_hold = has_laws(p);
+  if (may_hold) {
     contacts_of(p, changes.before);
-    held = keep_held(now, changes.before);
+    keep_held(now, before);
     if (laws.in_situ())
-      add_beside(blocks, now, changes.before);
+      add_partners(blocks, now);
   }
-  bool same = !held || laws.in_situ();
+  bool same = true;
   std::size_t slots = 0;
   each_slot(p, [&](int slot) {
     same = same && (slots < now.size() ? at(slot) == now[slots].at : is_vacant(slot));
@@ -293,9 +290,10 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
     });
     return;
   }
-  contacts_of(p, changes.before);
+  if (!may_hold)
+    contacts_of(p, changes.before);
   auto next = now.begin();
-  for (const PairContact& old : changes.before) {
+  for (const PairContact& old : before) {
     while (next != now.end() && as_pair(next->at) < as_pair(old.at))
       ++next;
     if (next != now.end() && next->at == old.at)
@@ -314,7 +312,7 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
     ++k;
   });
   if (has_laws(p))
-    find_faces(blocks, p);
+    find_partners(blocks, p);
 }
 
 }  // namespace blocks::dynamics

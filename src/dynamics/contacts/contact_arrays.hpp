@@ -26,7 +26,7 @@ struct ContactArrays {
   LawTable laws;
   std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts
   std::vector<int> pair_of_lane;   ///< -1: the lane is idle
-  std::vector<int> slots_of_pair;  ///< slots that the pair needs; its lane has as many
+  std::vector<int> slots_of_pair;  ///< slots that the pair needs; its lane has them
   std::vector<int> first_batch;    ///< (windows + 1) the first batch of each window
   /// lanes in which each block is the lower one, or the higher one
   Groups lows, highs;
@@ -40,8 +40,8 @@ struct ContactArrays {
             const ContactsOfPairs& kept, const ContactsOfPairs& grown);
   /// Assigns these contacts to pair p. If `tested`, a contact acts only if its corner
   /// is inside its edge and between the ends. Otherwise all of them act. Contacts that
-  /// the pair had before keep their springs. Held contacts (PairContact::is_held) are
-  /// kept too, and a corner that is bonded to a block acts on no other edge of it.
+  /// the pair had before keep their springs. Held contacts (PairContact::may_be_held)
+  /// are kept too, and a corner that is bonded to a block acts on no other edge of it.
   /// After INSITU the contacts at the same ends of faces get slots too.
   /// Loaded springs of its other former contacts are added to changes.released. If the
   /// pair has too few slots, its contacts are added to changes.grown instead of the
@@ -79,9 +79,9 @@ struct ContactArrays {
 
  private:
   void contacts_of(int p, std::vector<PairContact>& contacts) const;
-  bool keep_held(std::vector<PairContact>& now,
+  void keep_held(std::vector<PairContact>& now,
                  const std::vector<PairContact>& before) const;
-  void find_faces(const Blocks& blocks, int p);
+  void find_partners(const Blocks& blocks, int p);
   void fill_slot(const Blocks& blocks, int low, int slot, const PairContact& contact);
   void fill_slots(const Blocks& blocks, const PairIndex& index,
                   const ContactsOfPairs& some, std::size_t k);

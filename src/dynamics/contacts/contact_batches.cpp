@@ -70,8 +70,8 @@ void ContactBatches::find_shared_ends(int batch, int k) {
   };
   for (int row = of.first_row; row < of.first_row + of.rows; ++row) {
     const int slot = row * lane_count + k;
-    set(slot, &FaceRow::shared_before, acts(faces[row].beside_before[k]));
-    set(slot, &FaceRow::shared_after, acts(faces[row].beside_after[k]));
+    set(slot, &FaceRow::shared_before, acts(faces[row].partner_before[k]));
+    set(slot, &FaceRow::shared_after, acts(faces[row].partner_after[k]));
   }
 }
 

@@ -17,7 +17,6 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
     own.clear();
     for (; next != list.end() && pair_of(blocks, *next) == wanted; ++next) {
       own.push_back({{.at = {next->corner, next->edge},
-                      .certain = true,
                       .acted = true,
                       .normal = next->normal_elastic,
                       .shear = next->shear_elastic}});

@@ -22,9 +22,9 @@ struct ContactRecord {
 struct PairContact : ContactRecord {
   JointState joint = {};
 
-  /// Returns whether the contact acts without being found by the contact rule, as long
-  /// as it does not end.
-  bool is_held() const { return acted && (joint.bonded || joint.offset > 0.0); }
+  /// Returns whether the contact may go on acting without being found by the contact
+  /// rule: the kernel decides (find_acting_or_held).
+  bool may_be_held() const { return acted && (joint.bonded || joint.offset > 0.0); }
 };
 
 /// Pair pair[k] has the contacts from all[first[k]] to all[first[k + 1]], a half-open
@@ -61,8 +61,8 @@ struct ContactsOfPairs {
   }
 };
 
-/// The spring of a contact that has ceased to act. It passes to another contact
-/// (spring_transfer.hpp).
+/// A copy of the spring of a contact that has ceased to act. It passes to another
+/// contact (spring_transfer.hpp). The slot itself is emptied when forces are computed.
 struct ReleasedSpring {
   int pair;
   CornerOnEdge at;

@@ -41,7 +41,8 @@ struct ContactTests {
 };
 /// Which contacts of a row act in a step.
 struct ContactStates {
-  LaneBits acts;    ///< it acts in this step
+  /// It acts in this step. Until it is tested: it acted in the step before.
+  LaneBits acts;
   LaneBits starts;  ///< it did not act in the step before, or has taken over a spring
   LaneBits ends;    ///< it acted in the step before and does not act now
   /// It is taken to act, but a sign is too close to zero for doubles.
@@ -69,7 +70,8 @@ struct alignas(64) ReadingRow {
   PerLane<double> normal_force, shear_force;  ///< [F] 0 if the contact does not act
 };
 
-/// The arrays of all batches. The memory belongs to ContactBatches.
+/// The arrays of all batches. The memory belongs to ContactBatches. Kernels write to it
+/// through a constant BatchArrays.
 struct BatchArrays {
   BatchPairs* pairs = nullptr;     ///< (batches)
   BatchMarks* marks = nullptr;     ///< (batches)
@@ -82,7 +84,7 @@ struct BatchArrays {
   SpringRow* springs = nullptr;     ///< (rows) at the start of the step
   SpringRow* advanced = nullptr;    ///< (rows) at the end of the step
   ReadingRow* readings = nullptr;   ///< (rows) for output only
-  // Only in models with laws of joints.
+  // Only in models with laws of joints or INSITU.
   FaceRow* faces = nullptr;             ///< (rows)
   DashpotRow* dashpots = nullptr;       ///< (rows)
   JointRow* joints = nullptr;           ///< (rows) at the start of the step

@@ -16,14 +16,14 @@ template <class Number> using PerLane = Number[lane_count];
 using LaneBits = std::uint8_t;
 
 /// The law and the faces of the contacts of a row. The side before a corner and the
-/// side after it may each form a face with the edge. The record beside a contact is the
-/// contact at the same end of the face: the end of the edge that acts on this side.
+/// side after it may each form a face with the edge. The partner of a contact is the
+/// one at the same end of the face: the end of the edge that acts on this side.
 struct FaceRow {
   PerLane<int> law;            ///< column of LawColumns
   PerLane<int> before, after;  ///< corners of the block next to the corner
-  /// row, counted in the batch, of the record beside the contact; -1: none
-  PerLane<short> beside_before, beside_after;
-  /// The record beside the contact acts too, so each stands for half of the end.
+  /// row, counted in the batch, of the partner; -1: none
+  PerLane<short> partner_before, partner_after;
+  /// The partner acts too, so each stands for half of the end.
   LaneBits shared_before, shared_after;
 };
 /// Roots that the dashpots of a row need. They stay as long as the stiffnesses.

@@ -1,4 +1,4 @@
-#include "dynamics/contacts/beside_contacts.hpp"
+#include "dynamics/contacts/partners.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,8 +7,7 @@
 
 namespace blocks::dynamics {
 
-void add_beside(const Blocks& blocks, std::vector<PairContact>& contacts,
-                std::vector<PairContact>& given) {
+void add_partners(const Blocks& blocks, std::vector<PairContact>& contacts) {
   constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const auto faces = [&](const Vec2& side, const Vec2& edge) {
     const double along = side.dot(edge);
@@ -24,7 +23,7 @@ void add_beside(const Blocks& blocks, std::vector<PairContact>& contacts,
     if (place == contacts.end() || place->at != at)
       contacts.insert(place, PairContact{{.at = at}});
   };
-  given = contacts;
+  const std::vector<PairContact> given = contacts;
   for (const PairContact& contact : given) {
     const auto [corner, edge] = contact.at;
     const int edge_end = blocks.next[edge], before = blocks.previous[corner];
