@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "draw/chart/line_chart.hpp"
+#include "draw/number_text.hpp"
 #include "history_lines.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
@@ -28,10 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using post::NumberTable;
-
-std::string with_unit(const std::string& label, const std::string& unit) {
-  return unit.empty() ? label : label + " [" + unit + "]";
-}
 
 /// The results of one run in the order of time.
 class OpenRun {
@@ -184,14 +181,14 @@ Answer histories(const HistoryOptions& options, const std::optional<Units>& unit
            sign_of(series.curve.quantity, options.compression_positive)});
       if (against && i == 0)
         continue;
-      lines.push_back({with_unit(series.quantity, unit), series.label,
+      lines.push_back({draw::with_unit(series.quantity, unit), series.label,
                        legend_of(series.label, names[r]),
                        against ? history.series.front().values : history.time,
                        series.values,
                        quantities::is_of_equilibrium(series.curve.quantity)});
     }
     const auto& x = table.columns[against ? 1 : 0];
-    answer.chart.x_label = with_unit(x.label, x.unit);
+    answer.chart.x_label = draw::with_unit(x.label, x.unit);
     answer.runs.push_back(std::move(table));
   }
   answer.chart.panels = panels_of(lines, !against && !options.each_run);
@@ -256,18 +253,19 @@ Answer profiles(const HistoryOptions& options, const std::optional<Units>& units
         table.columns.push_back({kind->name + "@" + at, kind->label + " at time " + at,
                                  unit, post::profile_values(places, *kind, now, before),
                                  sign_of(kind->name, options.compression_positive)});
-        lines.push_back({with_unit(kind->label + post::sign_convention(
-                                                     *kind, now.compression_positive),
-                                   unit),
-                         post::time_text(asked.value_or(now.time), std::nullopt, units),
-                         legend_of(post::time_text(now.time, asked, units), names[r]),
-                         table.columns[0].values, table.columns.back().values});
+        lines.push_back(
+            {draw::with_unit(kind->label +
+                                 post::sign_convention(*kind, now.compression_positive),
+                             unit),
+             post::time_text(asked.value_or(now.time), std::nullopt, units),
+             legend_of(post::time_text(now.time, asked, units), names[r]),
+             table.columns[0].values, table.columns.back().values});
       }
     }
     answer.runs.push_back(std::move(table));
   }
   answer.chart.panels = panels_of(lines, !options.each_run);
-  answer.chart.x_label = with_unit(position, length);
+  answer.chart.x_label = draw::with_unit(position, length);
   set_heading(answer.chart, answer.runs, options);
   return answer;
 }

@@ -125,7 +125,8 @@ TickLabels label_ticks(double lower, double upper, int count, Offset kind) {
   // Wide labels take their room from the picture.
   constexpr std::size_t wide = 4;
   const std::size_t plain = longest_label(result.labels);
-  if (largest >= 1e5 || largest < 1e-3 || (plain > wide && longest_label(scaled) < plain)) {
+  if (largest >= 1e5 || largest < 1e-3 ||
+      (plain > wide && longest_label(scaled) < plain)) {
     result.power = power;
     result.labels = std::move(scaled);
   }

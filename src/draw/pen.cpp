@@ -20,10 +20,33 @@ void Pen::colour(const Colour& c, double alpha) {
   cairo_set_source_rgba(cairo_, c.r, c.g, c.b, alpha);
 }
 
+void Pen::clear() {
+  colour(paper);
+  cairo_paint(cairo_);
+}
+
+void Pen::fill(const Colour& c, double alpha) {
+  colour(c, alpha);
+  cairo_fill(cairo_);
+}
+
 void Pen::stroke(double width, const Colour& c, double alpha) {
   cairo_set_line_width(cairo_, width);
   colour(c, alpha);
   cairo_stroke(cairo_);
+}
+
+void Pen::fill_and_stroke(const Colour& inside, double width, const Colour& outline) {
+  colour(inside);
+  cairo_fill_preserve(cairo_);
+  stroke(width, outline);
+}
+
+void Pen::line(double x0, double y0, double x1, double y1, double width,
+               const Colour& c, double alpha) {
+  cairo_move_to(cairo_, x0, y0);
+  cairo_line_to(cairo_, x1, y1);
+  stroke(width, c, alpha);
 }
 
 void Pen::dashes(std::initializer_list<double> lengths) {
@@ -89,6 +112,11 @@ void Pen::text(const std::string& given, double x, double y, double size,
   put({shown, x, y - box.y_bearing - up * box.height, along, letters(size), c, 0, {}});
 }
 
+void Pen::text_on_line(const std::string& words, double x, double y, double size,
+                       const Colour& c) {
+  put({with_minus_signs(words), x, y, 0, letters(size), c, 0, {}});
+}
+
 double Pen::paragraph(const std::string& words, double x, double y, double size,
                       const Colour& c, double room) {
   const double step = 1.25 * letters(size);
@@ -138,8 +166,7 @@ void Pen::tag(const std::string& words, double x, double y, const Colour& c) {
   const cairo_text_extents_t box = measure(words, size);
   cairo_rectangle(cairo_, x - edge, y - 0.5 * box.height - edge, box.width + 2 * edge,
                   box.height + 2 * edge);
-  colour(paper, 0.85);
-  cairo_fill(cairo_);
+  fill(paper, 0.85);
   text(words, x, y, size, c, 0, 0.5);
 }
 

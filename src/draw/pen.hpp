@@ -22,7 +22,15 @@ class Pen {
 
   cairo_t* cairo() const { return cairo_; }
   void colour(const Colour& c, double alpha = 1.0);
+  /// Paints the whole page white.
+  void clear();
+  /// These draw the current path and end it.
+  void fill(const Colour& c, double alpha = 1.0);
   void stroke(double width, const Colour& c, double alpha = 1.0);
+  void fill_and_stroke(const Colour& inside, double width, const Colour& outline);
+  /// Draws a line from (x0, y0) to (x1, y1).
+  void line(double x0, double y0, double x1, double y1, double width, const Colour& c,
+            double alpha = 1.0);
   /// Sets the lengths of dashes and gaps; empty: a solid line.
   void dashes(std::initializer_list<double> lengths);
   /// `along` and `up` choose the anchor of the text at (x, y): 0 is left or top, 1 is
@@ -34,6 +42,9 @@ class Pen {
   double width(const std::string& words, double size) {
     return measure(with_minus_signs(words), size).width;
   }
+  /// Draws text from (x, y) on the base line, whatever the heights of its letters.
+  void text_on_line(const std::string& words, double x, double y, double size,
+                    const Colour& c);
   /// Breaks text into lines of width `room`; a unit in brackets is not broken. Returns
   /// the height used.
   double paragraph(const std::string& words, double x, double y, double size,

@@ -45,38 +45,32 @@ std::vector<Histogram> histograms_of(const MapStatistics& map) {
   return found;
 }
 
-constexpr std::size_t plots = 3;  ///< triangle, traces, branches
+constexpr std::size_t plots = 3;  ///< of which the triangle is the first
 
 void draw_map(draw::Pen& pen, const std::vector<MapStatistics>& maps, std::size_t k,
               const draw::PageSize& page, const draw::RoseLayout& layout) {
   const MapStatistics& map = maps[k];
-  const draw::Directions directions = directions_of(map);
-  const std::string heading =
-      maps.size() > 1 ? fmt::format("{}  {}", k + 1, map.name) : map.name;
-  draw::draw_heading(
-      pen, layout, page, heading,
-      fmt::format(
-          "{}    P20 {:.3g} / L²    P21 {:.3g} / L    connections per branch {}",
-          draw::counted(map.network.pieces.size(), "trace"), map.density.p20.value,
-          map.density.p21.value,
-          std::isfinite(map.topology.connections_per_branch)
-              ? fmt::format("{:.3g}", map.topology.connections_per_branch)
-              : std::string("-")));
-  draw::draw_rose(pen, layout.rose, directions);
-  draw::draw_rose_legend(
-      pen, layout.legend_left, layout.legend_top, layout.legend_wide, directions,
-      [&](int id) {
-        return map.families[static_cast<std::size_t>(id - 1)].scattered
-                   ? std::string("scattered")
-                   : fmt::format("family {}", id);
-      });
+  const double connections = map.topology.connections_per_branch;
+  draw::draw_rose_figure(
+      pen, layout, page,
+      {maps.size() > 1 ? fmt::format("{}  {}", k + 1, map.name) : map.name,
+       fmt::format(
+           "{}    P20 {:.3g} / L²    P21 {:.3g} / L    connections per branch {}",
+           draw::counted(map.network.pieces.size(), "trace"), map.density.p20.value,
+           map.density.p21.value,
+           std::isfinite(connections) ? fmt::format("{:.3g}", connections)
+                                      : std::string("-")),
+       directions_of(map),
+       [&](int id) {
+         return map.families[static_cast<std::size_t>(id - 1)].scattered
+                    ? std::string("scattered")
+                    : fmt::format("family {}", id);
+       },
+       histograms_of(map), 1});
   std::vector<NodeCounts> nodes;
   for (const MapStatistics& one : maps)
     nodes.push_back(one.network.nodes);
   draw_node_triangle(pen, layout.plots[0], nodes, k);
-  const std::vector<Histogram> histograms = histograms_of(map);
-  for (std::size_t i = 0; i < histograms.size(); ++i)
-    draw::draw_histogram(pen, layout.plots[i + 1], histograms[i]);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ class Triangle {
   void frame() {
     for (const double c : {0.5, 1.0, 1.5, 1.8})
       contour(c);
-    path({i_, y_, x_});
+    for (const Vec2& corner : {i_, y_, x_})
+      cairo_line_to(cairo_, corner.x(), corner.y());
     cairo_close_path(cairo_);
     pen_.stroke(1.0, draw::ink);
     pen_.text("I", i_.x(), i_.y() - 6, 14, draw::ink, 0.5, 1);
@@ -50,9 +51,7 @@ class Triangle {
         at(static_cast<double>(nodes.i) / all, static_cast<double>(nodes.y) / all);
     cairo_new_path(cairo_);
     cairo_arc(cairo_, p.x(), p.y(), 5.5, 0.0, 2.0 * std::numbers::pi);
-    pen_.colour(own ? point : draw::white);
-    cairo_fill_preserve(cairo_);
-    pen_.stroke(1.4, point);
+    pen_.fill_and_stroke(own ? point : draw::white, 1.4, point);
     if (!name.empty())
       pen_.text(name, p.x() + 9, p.y(), 12.5, draw::ink, 0, 0.5);
   }
@@ -61,19 +60,12 @@ class Triangle {
   /// The place of a network with these shares of I and Y nodes.
   Vec2 at(double i, double y) const { return i * i_ + y * y_ + (1.0 - i - y) * x_; }
 
-  void path(const std::vector<Vec2>& corners) {
-    cairo_new_path(cairo_);
-    for (const Vec2& corner : corners)
-      cairo_line_to(cairo_, corner.x(), corner.y());
-  }
-
   /// Draws where (3 Y + 4 X) (2 - c) = c I, a line from the side I-Y to the side I-X.
   void contour(double c) {
     const double on_y = 1.0 / (1.0 + c / (3.0 * (2.0 - c)));  // share of I there
     const double on_x = 1.0 / (1.0 + c / (4.0 * (2.0 - c)));
     const Vec2 left = at(on_y, 1.0 - on_y), right = at(on_x, 0.0);
-    path({left, right});
-    pen_.stroke(0.8, grid);
+    pen_.line(left.x(), left.y(), right.x(), right.y(), 0.8, grid);
     pen_.text(fmt::format("{:g}", c), right.x() + 6, right.y(), 12, draw::muted, 0,
               0.5);
   }

@@ -8,6 +8,7 @@
 
 #include "deck/card_table.hpp"
 #include "draw/axes.hpp"
+#include "draw/number_text.hpp"
 
 namespace blocks::report {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 using Form = draw::ChartLine::Form;
 
 constexpr quantities::Dimension length{1, 0, 0, "m", ""};
-
-std::string with_unit(const std::string& label, const std::string& unit) {
-  return unit.empty() ? label : label + " [" + unit + "]";
-}
 
 /// Returns the values of a group that are finite.
 std::vector<double> finite_sample(const Ensemble& ensemble, std::size_t group,
@@ -176,7 +173,8 @@ draw::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
   const auto* kind = quantities::find_quantity(ensemble.profile->quantity);
   draw::Chart chart;
   draw::ChartPanel panel{
-      with_unit(kind->label, post::unit_text(kind->dimension, ensemble.units)), {}};
+      draw::with_unit(kind->label, post::unit_text(kind->dimension, ensemble.units)),
+      {}};
   std::vector<std::size_t> with_profile;
   for (std::size_t g = 0; g < analysis.groups.size(); ++g)
     if (analysis.groups[g].profile)
@@ -196,8 +194,8 @@ draw::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
   if (panel.lines.empty())
     return {};
   chart.x_label =
-      with_unit(ensemble.profile->line.segment ? "distance along the line" : "x",
-                post::unit_text(length, ensemble.units));
+      draw::with_unit(ensemble.profile->line.segment ? "distance along the line" : "x",
+                      post::unit_text(length, ensemble.units));
   chart.panels = {panel};
   return chart;
 }
@@ -219,7 +217,7 @@ draw::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
     return {};
   const std::vector<double> boundaries = bin_boundaries(all);
   draw::Chart chart;
-  chart.x_label = with_unit(what.label, what.unit);
+  chart.x_label = draw::with_unit(what.label, what.unit);
   for (const std::size_t g : drawn_groups(with_values)) {
     const auto values = finite_sample(ensemble, g, column);
     const Summary& summary = analysis.groups[g].columns[column].summary;
@@ -252,7 +250,7 @@ draw::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis
         what.is_share ? "95 % interval (Wilson)" : "95 % interval of the mean";
   return parameter_chart(ensemble, analysis, std::move(line),
                          what.is_share ? "share of runs"
-                                       : with_unit("mean", what.unit));
+                                       : draw::with_unit("mean", what.unit));
 }
 
 draw::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
@@ -277,7 +275,7 @@ draw::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
   line.legend = fmt::format("{}: from {}", what.label, reference);
   line.band_legend = "95 % interval of the mean difference";
   return parameter_chart(ensemble, analysis, std::move(line),
-                         with_unit("difference", what.unit));
+                         draw::with_unit("difference", what.unit));
 }
 
 std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& analysis) {

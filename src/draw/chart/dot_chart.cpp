@@ -61,11 +61,7 @@ class DotDrawing : DotLayout {
   }
 
   void draw() {
-    pen_.colour(paper);
-    cairo_paint(cairo_);
-    cairo_rectangle(cairo_, left_, top, end_ - left_, bottom - top);
-    pen_.colour(white);
-    cairo_fill(cairo_);
+    pen_.clear();
     axis();
     for (std::size_t i = 0; i < chart_.names.size(); ++i)
       pen_.text(chart_.names[i], left_ - gap, row_middle(i), 14, ink, 1, 0.5,
@@ -92,22 +88,16 @@ class DotDrawing : DotLayout {
     return top + row * (static_cast<double>(i) + 0.5);
   }
 
-  void line(double x0, double y0, double x1, double y1, const Colour& c) {
-    cairo_move_to(cairo_, x0, y0);
-    cairo_line_to(cairo_, x1, y1);
-    pen_.stroke(1.0, c);
-  }
-
   void axis() {
     for (std::size_t i = 1; i < chart_.names.size(); ++i) {
       const double y = top + row * static_cast<double>(i);
-      line(left_, y, end_, y, rule);
+      pen_.line(left_, y, end_, y, 1.0, rule);
     }
     const TickLabels along = label_ticks(
         low_, high_, std::clamp(static_cast<int>((end_ - left_) / 60), 2, 6));
     for (std::size_t i = 0; i < along.ticks.size(); ++i) {
       const double x = page_x(along.ticks[i]);
-      line(x, top, x, bottom, along.ticks[i] == 0.0 ? muted : rule);
+      pen_.line(x, top, x, bottom, 1.0, along.ticks[i] == 0.0 ? muted : rule);
       pen_.text(along.labels[i], x, bottom + 9, 14, ink, 0.5, 0);
     }
     pen_.text(along.axis_title(chart_.x_label), (left_ + end_) / 2, bottom + 33, 15,
@@ -133,9 +123,7 @@ class DotDrawing : DotLayout {
       cairo_move_to(cairo_, end, y - cap);
       cairo_line_to(cairo_, end, y + cap);
     }
-    cairo_move_to(cairo_, from, y);
-    cairo_line_to(cairo_, to, y);
-    pen_.stroke(1.8, line_colour(s));
+    pen_.line(from, y, to, y, 1.8, line_colour(s));
   }
 
   /// Disc, square or diamond, so that the series differ without colours.
@@ -149,8 +137,7 @@ class DotDrawing : DotLayout {
     else
       for (const auto& [dx, dy] : {std::pair{0, -1}, {1, 0}, {0, 1}, {-1, 0}})
         cairo_line_to(cairo_, x + 1.4 * radius * dx, y + 1.4 * radius * dy);
-    pen_.colour(line_colour(s));
-    cairo_fill(cairo_);
+    pen_.fill(line_colour(s));
   }
 
   Pen pen_;

@@ -119,9 +119,7 @@ class HistogramDrawing {
     const TickLabels marked = label_ticks(0.0, most_, wanted);
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = page_y(marked.ticks[i]);
-      cairo_move_to(cairo_, place_.left, y);
-      cairo_rel_line_to(cairo_, place_.width, 0);
-      pen_.stroke(0.8, bar_grid);
+      pen_.line(place_.left, y, place_.left + place_.width, y, 0.8, bar_grid);
       pen_.text(marked.labels[i], place_.left - 8, y, 13, ink, 1, 0.5);
     }
     pen_.text(marked.titled(histogram_.counted), place_.left, place_.top - 8, 13, ink,
@@ -138,17 +136,13 @@ class HistogramDrawing {
       const double y = page_y(bars_.counts[i]);
       cairo_rectangle(cairo_, from + gap, y, to - from - 2 * gap,
                       place_.top + place_.height - y);
-      pen_.colour(bar_colour);
-      cairo_fill_preserve(cairo_);
-      pen_.stroke(0.8, white);
+      pen_.fill_and_stroke(bar_colour, 0.8, white);
     }
   }
 
   void tick(double at, const std::string& label) {
     const double x = page_x(at), bottom = place_.top + place_.height;
-    cairo_move_to(cairo_, x, bottom);
-    cairo_rel_line_to(cairo_, 0, 5);
-    pen_.stroke(1.0, ink);
+    pen_.line(x, bottom, x, bottom + 5, 1.0, ink);
     const double half = 0.5 * pen_.width(label, 13);
     if (x - half < label_end_)
       return;

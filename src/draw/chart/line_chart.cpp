@@ -68,8 +68,7 @@ class ChartDrawing : ChartLayout {
   }
 
   void draw() {
-    pen_.colour(paper);
-    cairo_paint(cairo_);
+    pen_.clear();
     pen_.text(chart_.title, left, title, 21, ink, 0, 1, page - left - 16);
     pen_.text(chart_.subtitle, left, subtitle, keys_above ? 12.5 : 15, muted, 0, 1,
               page - left - 16);
@@ -109,22 +108,18 @@ class ChartDrawing : ChartLayout {
     const ValueRange y = range_of(one);
     const double bottom = top + panel, end = page - right;
     const auto page_y = [&](double value) { return bottom - y.place(value) * panel; };
-    cairo_rectangle(cairo_, left, top, end - left, panel);
-    pen_.colour({1, 1, 1});
-    cairo_fill(cairo_);
-    cairo_set_line_width(cairo_, 1);
     const TickLabels along = label_ticks(
         x_.low, x_.high, std::clamp(static_cast<int>((end - left) / 80), 3, 8));
     for (std::size_t i = 0; i < along.ticks.size(); ++i) {
       const double x = page_x(along.ticks[i]);
-      stroke(x, top, x, bottom, grid);
+      pen_.line(x, top, x, bottom, 1.0, grid);
       if (last)
         pen_.text(along.labels[i], x, bottom + 11, 14, ink, 0.5, 0);
     }
     const TickLabels up = ticks_of(one, y);
     for (std::size_t i = 0; i < up.ticks.size(); ++i) {
       const double at = page_y(up.ticks[i]);
-      stroke(left, at, end, at, up.ticks[i] == 0.0 ? muted : grid);
+      pen_.line(left, at, end, at, 1.0, up.ticks[i] == 0.0 ? muted : grid);
       pen_.text(up.labels[i], left - tick_gap, at, tick_size, ink, 1, 0.5);
     }
     cairo_save(cairo_);
@@ -144,9 +139,7 @@ class ChartDrawing : ChartLayout {
         draw_mark(one.lines[i], i, top, bottom);
     cairo_restore(cairo_);
     cairo_rectangle(cairo_, left, top, end - left, panel);
-    cairo_set_line_width(cairo_, 1);
-    pen_.colour(ink);
-    cairo_stroke(cairo_);
+    pen_.stroke(1.0, ink);
     pen_.upright(up.axis_title(one.y_label), label_x_, top + panel / 2, 15, ink, panel);
     if (last) {
       pen_.text(along.axis_title(chart_.x_label), (left + end) / 2, bottom + 38, 15,
@@ -187,22 +180,19 @@ class ChartDrawing : ChartLayout {
     return {bars && y.low == 0.0 ? 0.0 : wide.low, wide.high};
   }
 
-  void style(std::size_t i) {
-    pen_.colour(line_colour(i));
-    cairo_set_line_width(cairo_, 2.2);
-    switch (i / 7 % 4) {
-    case 0:
-      pen_.dashes({});
-      break;
-    case 1:
+  /// Draws the current path as line i: lines of one colour differ in their dashes.
+  void stroke(std::size_t i, ChartLine::Form form) {
+    const std::size_t round = i / line_colours % 4;
+    if (form == Form::mark)
+      pen_.dashes({6, 4});
+    else if (round == 1)
       pen_.dashes({9, 5});
-      break;
-    case 2:
+    else if (round == 2)
       pen_.dashes({2, 4});
-      break;
-    default:
+    else if (round == 3)
       pen_.dashes({10, 4, 2, 4});
-    }
+    pen_.stroke(2.2, line_colour(i));
+    pen_.dashes({});
   }
 
   /// Fills the space between both ends, from one point to the next.
@@ -234,19 +224,15 @@ class ChartDrawing : ChartLayout {
     }
     pen_.colour(line_colour(i), bar_opacity);
     cairo_fill_preserve(cairo_);
-    pen_.colour(white);
-    cairo_set_line_width(cairo_, 1.0);
-    cairo_stroke(cairo_);
+    pen_.stroke(1.0, white);
   }
 
   template <class PageY>
   void draw_intervals(const ChartLine& line, std::size_t i, const PageY& page_y) {
-    pen_.colour(line_colour(i), band_opacity);
-    cairo_set_line_width(cairo_, 1.4);
     for (std::size_t k = 0; k < line.x.size(); ++k)
       if (std::isfinite(line.y[k]))
         cairo_line_to(cairo_, page_x(line.x[k]), page_y(line.y[k]));
-    cairo_stroke(cairo_);
+    pen_.stroke(1.4, line_colour(i), band_opacity);
     for (std::size_t k = 0; k < line.x.size(); ++k) {
       if (!std::isfinite(line.y[k]))
         continue;
@@ -260,45 +246,35 @@ class ChartDrawing : ChartLayout {
   /// Draws a bar between two heights [units], with caps.
   void error_bar(std::size_t i, double x, double low, double high) {
     constexpr double cap = 5.0;
-    pen_.colour(line_colour(i));
-    cairo_set_line_width(cairo_, 1.8);
     for (const double end : {low, high}) {
       cairo_move_to(cairo_, x - cap, end);
       cairo_line_to(cairo_, x + cap, end);
     }
-    cairo_move_to(cairo_, x, low);
-    cairo_line_to(cairo_, x, high);
-    cairo_stroke(cairo_);
+    pen_.line(x, low, x, high, 1.8, line_colour(i));
   }
 
   void point(std::size_t i, double x, double y) {
     constexpr double radius = 4.2;
-    pen_.colour(line_colour(i));
     cairo_arc(cairo_, x, y, radius, 0, 2 * std::numbers::pi);
-    cairo_fill(cairo_);
+    pen_.fill(line_colour(i));
   }
 
   void draw_mark(const ChartLine& line, std::size_t i, double top, double bottom) {
-    style(i);
-    pen_.dashes({6, 4});
     for (const double x : line.x) {
       cairo_move_to(cairo_, page_x(x), top);
       cairo_line_to(cairo_, page_x(x), bottom);
     }
-    cairo_stroke(cairo_);
-    pen_.dashes({});
+    stroke(i, line.form);
   }
 
   template <class PageY>
   void draw_line(const ChartLine& line, std::size_t i, const PageY& page_y) {
-    style(i);
     for (std::size_t k = 0; k < line.x.size(); ++k)
       if (std::isfinite(line.x[k]) && std::isfinite(line.y[k]))
         cairo_line_to(cairo_, page_x(line.x[k]), page_y(line.y[k]));
       else
         cairo_new_sub_path(cairo_);
-    cairo_stroke(cairo_);
-    cairo_set_dash(cairo_, nullptr, 0, 0);
+    stroke(i, line.form);
     if (line.x.size() > 60)
       return;
     for (std::size_t k = 0; k < line.x.size(); ++k)
@@ -320,18 +296,13 @@ class ChartDrawing : ChartLayout {
       return;
     }
     if (key.is_band || key.form == Form::bars) {
-      pen_.colour(line_colour(key.line), key.is_band ? band_opacity : bar_opacity);
       cairo_rectangle(cairo_, x, y - height / 2, width, height);
-      cairo_fill(cairo_);
+      pen_.fill(line_colour(key.line), key.is_band ? band_opacity : bar_opacity);
       return;
     }
-    style(key.line);
-    if (key.form == Form::mark)
-      pen_.dashes({6, 4});
     cairo_move_to(cairo_, x, y);
-    cairo_rel_line_to(cairo_, width, 0);
-    cairo_stroke(cairo_);
-    cairo_set_dash(cairo_, nullptr, 0, 0);
+    cairo_line_to(cairo_, x + width, y);
+    stroke(key.line, key.form);
   }
 
   void legend_above(const ChartPanel& one, double y) {
@@ -371,13 +342,6 @@ class ChartDrawing : ChartLayout {
                 0.5, page - x - 44);
       y += step;
     }
-  }
-
-  void stroke(double x0, double y0, double x1, double y1, const Colour& c) {
-    pen_.colour(c);
-    cairo_move_to(cairo_, x0, y0);
-    cairo_line_to(cairo_, x1, y1);
-    cairo_stroke(cairo_);
   }
 
   Pen pen_;

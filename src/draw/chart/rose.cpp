@@ -65,8 +65,7 @@ class RoseDrawing {
     cairo_new_path(cairo_);
     arc(place_.radius, 0, 180);
     cairo_close_path(cairo_);
-    pen_.colour({0.965, 0.965, 0.968});
-    cairo_fill(cairo_);
+    pen_.fill({0.965, 0.965, 0.968});
   }
 
   /// Draws circles of equal share of length, with their percentages below the base.
@@ -95,9 +94,7 @@ class RoseDrawing {
 
   void line(double degrees, double from, double to, double width, const Colour& c) {
     const Eigen::Vector2d a = at(degrees, from), b = at(degrees, to);
-    cairo_move_to(cairo_, a.x(), a.y());
-    cairo_line_to(cairo_, b.x(), b.y());
-    pen_.stroke(width, c);
+    pen_.line(a.x(), a.y(), b.x(), b.y(), width, c);
   }
 
   /// Draws sector k; half of sector 0 is at 180 degrees.
@@ -112,9 +109,7 @@ class RoseDrawing {
       else
         cairo_line_to(cairo_, place_.x, place_.y);
       cairo_close_path(cairo_);
-      pen_.colour(colour);
-      cairo_fill_preserve(cairo_);
-      pen_.stroke(0.9, white);
+      pen_.fill_and_stroke(colour, 0.9, white);
     };
     if (k == 0) {
       part(0.0, half);
@@ -156,9 +151,7 @@ class RoseDrawing {
                             at(one.mean + wide, r + length)})
         cairo_line_to(cairo_, p.x(), p.y());
       cairo_close_path(cairo_);
-      pen_.colour(joint_colour(id));
-      cairo_fill_preserve(cairo_);
-      pen_.stroke(0.8, white);
+      pen_.fill_and_stroke(joint_colour(id), 0.8, white);
     }
   }
 
@@ -209,8 +202,7 @@ void draw_rose_legend(Pen& pen, double x, double top, double width,
       return;
     }
     cairo_rectangle(pen.cairo(), x, y, 20, 15);
-    pen.colour(joint_colour(id));
-    cairo_fill(pen.cairo());
+    pen.fill(joint_colour(id));
     pen.text(name_of(id), x + indent, y + 7.5, letter, ink, 0, 0.5, width - indent);
     pen.text(fmt::format("{}, {} of the length", direction_text(one),
                          percent_text(one.share)),

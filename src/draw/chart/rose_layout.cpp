@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "draw/page_file.hpp"
+
 namespace blocks::draw {
 
 RoseLayout::RoseLayout(double legend_high, std::size_t histograms, const PageSize& page,
@@ -62,14 +64,29 @@ RoseLayout::RoseLayout(double legend_high, std::size_t histograms, const PageSiz
   }
 }
 
-void draw_heading(Pen& pen, const RoseLayout& layout, const PageSize& page,
-                  const std::string& heading, const std::string& subtitle) {
-  pen.colour(paper);
-  cairo_paint(pen.cairo());
+void draw_rose_figure(Pen& pen, const RoseLayout& layout, const PageSize& page,
+                      const RoseFigure& figure) {
+  pen.clear();
   const double room = page.width - 2 * layout.left;
-  pen.text(heading, layout.left, layout.title, 21, ink, 0, 1, room);
-  pen.text(subtitle, layout.left, layout.subtitle, page.printed ? 12.5 : 15, muted, 0,
-           1, room);
+  pen.text(figure.heading, layout.left, layout.title, 21, ink, 0, 1, room);
+  pen.text(figure.subtitle, layout.left, layout.subtitle, page.printed ? 12.5 : 15,
+           muted, 0, 1, room);
+  draw_rose(pen, layout.rose, figure.directions);
+  draw_rose_legend(pen, layout.legend_left, layout.legend_top, layout.legend_wide,
+                   figure.directions, figure.name_of);
+  for (std::size_t i = 0; i < figure.histograms.size(); ++i)
+    draw_histogram(pen, layout.plots[figure.first_plot + i], figure.histograms[i]);
+}
+
+void draw_rose_figure(const std::string& path, const PageSize& page,
+                      const RoseFigure& figure) {
+  const RoseLayout layout(rose_legend_height(figure.directions),
+                          figure.first_plot + figure.histograms.size(), page,
+                          !figure.heading.empty());
+  write_page(path, page, layout.height, [&](cairo_t* cairo) {
+    Pen pen(cairo, page);
+    draw_rose_figure(pen, layout, page, figure);
+  });
 }
 
 }  // namespace blocks::draw

@@ -1,7 +1,8 @@
-// Where the rose, its legend and the histograms of a figure are on its page.
+// A figure of a rose, its legend and histograms: where they are on its page.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,22 @@ struct RoseLayout {
   std::vector<HistogramPlace> plots;
 };
 
-/// Paints the page and writes its heading and the line below it.
-void draw_heading(Pen& pen, const RoseLayout& layout, const PageSize& page,
-                  const std::string& heading, const std::string& subtitle);
+struct RoseFigure {
+  std::string heading, subtitle;
+  Directions directions;
+  std::function<std::string(int)> name_of;  ///< of a group of directions
+  std::vector<Histogram> histograms;
+  std::size_t first_plot = 0;  ///< of the histograms; those before it stay empty
+};
+
+/// Paints the page and draws the figure.
+void draw_rose_figure(Pen& pen, const RoseLayout& layout, const PageSize& page,
+                      const RoseFigure& figure);
+
+/// Draws a figure to a PNG, SVG or PDF file, depending on the extension. Throws
+/// std::runtime_error if the page is too small or the extension is unknown, and
+/// output::FileError if the file cannot be written.
+void draw_rose_figure(const std::string& path, const PageSize& page,
+                      const RoseFigure& figure);
 
 }  // namespace blocks::draw

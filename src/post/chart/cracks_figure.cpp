@@ -4,11 +4,8 @@
 
 #include <stdexcept>
 
-#include "draw/chart/directions.hpp"
 #include "draw/chart/rose_layout.hpp"
 #include "draw/number_text.hpp"
-#include "draw/page_file.hpp"
-#include "draw/pen.hpp"
 #include "post/figure/figure_legend.hpp"
 
 namespace blocks::post {
@@ -66,25 +63,16 @@ void draw_cracks_figure(const std::string& path, const std::vector<Crack>& crack
                         const std::string& title, const FigureOptions& options) {
   if (cracks.empty())
     throw std::runtime_error("there is no crack to draw");
-  const Directions directions = directions_of(cracks);
-  const std::vector<Histogram> histograms = crack_histograms(cracks, options);
-  const std::string heading = options.title.value_or(title.empty() ? "BLOCKS" : title);
-  const RoseLayout layout(rose_legend_height(directions), histograms.size(),
-                          options.page, !heading.empty());
-  const std::string subtitle =
-      options.subtitle.empty() ? crack_period(cracks, options.units) : options.subtitle;
-  write_page(path, options.page, layout.height, [&](cairo_t* cairo) {
-    Pen pen(cairo, options.page);
-    draw_heading(pen, layout, options.page, heading, subtitle);
-    draw_rose(pen, layout.rose, directions);
-    draw_rose_legend(pen, layout.legend_left, layout.legend_top, layout.legend_wide,
-                     directions, [](int group) {
-                       return group == by_points ? "cracks by point loads"
-                                                 : "cracks by stress";
-                     });
-    for (std::size_t i = 0; i < histograms.size(); ++i)
-      draw_histogram(pen, layout.plots[i], histograms[i]);
-  });
+  draw_rose_figure(path, options.page,
+                   {options.title.value_or(title.empty() ? "BLOCKS" : title),
+                    options.subtitle.empty() ? crack_period(cracks, options.units)
+                                             : options.subtitle,
+                    directions_of(cracks),
+                    [](int group) {
+                      return group == by_points ? "cracks by point loads"
+                                                : "cracks by stress";
+                    },
+                    crack_histograms(cracks, options)});
 }
 
 }  // namespace blocks::post
