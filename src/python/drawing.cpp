@@ -9,7 +9,7 @@
 #include "bindings.hpp"
 #include "draw/colour_map.hpp"
 #include "draw/joint_colours.hpp"
-#include "post/figure/bond_sides.hpp"
+#include "post/figure/sides.hpp"
 #include "post/read/joint_faces.hpp"
 
 namespace blocks::python {

@@ -49,13 +49,10 @@ void put(Pen& pen, const Arrow& arrow, const Vector& along, double head) {
   shaft();
   pen.stroke(1.3, ink);
   triangle();
-  pen.colour(arrow.is_cut ? white : ink);
-  if (!arrow.is_cut) {
-    cairo_fill(cairo);
-    return;
-  }
-  cairo_fill_preserve(cairo);
-  pen.stroke(1.1, ink);
+  if (arrow.is_cut)
+    pen.fill_and_stroke(white, 1.1, ink);
+  else
+    pen.fill(ink);
 }
 
 /// Returns the part of an arrow inside a box, whose corners are low and high; empty if
@@ -86,24 +83,16 @@ void draw_arrow(Pen& pen, double x, double y, double dx, double dy) {
   put(pen, arrow, way.normalized(), head_of(arrow));
 }
 
-void draw_arrows(Pen& pen, const Axes& axes, const Picture& picture,
-                 const FigureScales& scales, const FigureOptions& options,
-                 const std::optional<double>& mirror_x) {
+void draw_arrows(Pen& pen, const Half& half, const Picture& picture,
+                 const FigureScales& scales, const FigureOptions& options) {
   if (!(scales.arrow > 0.0))
     return;
   constexpr double shortest = 1.5, to_frame = 2.0;
+  const Axes& axes = half.axes;
   const Vector low(axes.left + to_frame, axes.top + to_frame),
       high(axes.right() - to_frame, axes.bottom() - to_frame);
   const Frame& now = picture.now;
-  const Half half{axes, mirror_x};
-  const auto is_shown = [&](const std::vector<Vector>& outline) {
-    Vector least = Vector::Constant(1e300), most = -least;
-    for (const Vector& p : outline) {
-      least = least.cwiseMin(half.at(p));
-      most = most.cwiseMax(half.at(p));
-    }
-    return (most.array() >= low.array()).all() && (least.array() <= high.array()).all();
-  };
+  const Eigen::AlignedBox2d plot(low, high);
   const Eigen::Matrix2Xd vectors = arrow_vectors(options.arrows, picture);
   const double full = arrow_length(axes, scales), factor = full / scales.arrow;
   std::vector<Arrow> arrows;
@@ -112,10 +101,11 @@ void draw_arrows(Pen& pen, const Axes& axes, const Picture& picture,
     if (scales.cuts_arrows && way.norm() > full)
       way *= full / way.norm();
     if (!(way.norm() >= shortest) ||
-        !is_shown(now.outlines[static_cast<std::size_t>(b)]))
+        !half.box(now.outlines[static_cast<std::size_t>(b)]).intersects(plot))
       continue;
     const Vector from = half.at(now.centroid.col(b));
-    arrows.push_back({from, from + Vector(mirror_x ? -way.x() : way.x(), -way.y())});
+    arrows.push_back(
+        {from, from + Vector(half.mirror_x ? -way.x() : way.x(), -way.y())});
   }
   std::stable_sort(arrows.begin(), arrows.end(), [](const Arrow& a, const Arrow& b) {
     return (a.to - a.from).squaredNorm() > (b.to - b.from).squaredNorm();
@@ -132,7 +122,7 @@ void draw_arrows(Pen& pen, const Axes& axes, const Picture& picture,
 }
 
 double arrow_length(const Axes& axes, const FigureScales& scales) {
-  return std::clamp(1.8 * scales.block_size * axes.scale(), 24.0, 90.0);
+  return scales.on_page(axes, 1.8, 24.0, 90.0);
 }
 
 }  // namespace blocks::post

@@ -21,18 +21,14 @@ class Sheet {
   double height() const { return page_.height(); }
 
   void draw(cairo_t* cairo) const {
-    ResultsTracker tracker(results_);
     Pen pen(cairo, options_.page);
     page_.begin(pen);
-    for (std::size_t k = 0; k < frames_.size(); ++k) {
-      const Frame now = frame_for(options_, results_, frames_[k]);
-      const FrameContacts contacts = contacts_for(options_, results_, frames_[k]);
-      const CrackedBlocks& cracked = tracker.at(frames_[k], now);
-      const Picture picture{now, cracked.first, contacts, &tracker.first(), &cracked};
-      page_.picture(pen, k, picture);
-      if (k + 1 == frames_.size())
-        page_.end(pen, picture);
-    }
+    for_each_picture(results_, frames_, options_,
+                     [&](std::size_t k, const Picture& one) {
+                       page_.picture(pen, k, one);
+                       if (k + 1 == frames_.size())
+                         page_.end(pen, one);
+                     });
   }
 
  private:

@@ -9,11 +9,11 @@
 
 #include "draw/axes.hpp"
 #include "draw/joint_colours.hpp"
+#include "draw/number_text.hpp"
 #include "post/figure/arrows.hpp"
-#include "post/figure/bond_sides.hpp"
-#include "post/figure/crack_faces.hpp"
-#include "post/figure/face_sides.hpp"
 #include "post/figure/scene_drawing.hpp"
+#include "post/figure/sides.hpp"
+#include "post/figure/symbols.hpp"
 #include "post/read/quantity.hpp"
 
 namespace blocks::post {
@@ -125,9 +125,8 @@ class Legend {
   }
   /// Draws a line of the width that it has in the picture.
   void line_swatch(const Colour& colour, double width, const std::string& name) {
-    cairo_move_to(cairo_, place_.x + across_, y_ + 7);
-    cairo_rel_line_to(cairo_, 20, 0);
-    pen_.stroke(width, colour);
+    const double x = place_.x + across_;
+    pen_.line(x, y_ + 7, x + 20, y_ + 7, width, colour);
     pen_.dashes({});
     end_entry(name);
   }
@@ -152,9 +151,6 @@ class Legend {
   void end_cells() {
     y_ += across_ > 0.0 ? cell_line : 0.0;
     across_ = 0.0;
-  }
-  void words(const std::string& text) {
-    pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
   }
 
   void joints() {
@@ -217,9 +213,7 @@ class Legend {
       const double x = place_.x + across * static_cast<double>(column);
       y_ = top + small_line * static_cast<double>(row + 1);
       cairo_rectangle(cairo_, x, y_, 13, 11);
-      pen_.colour(colour_of_material(material, options_));
-      cairo_fill_preserve(cairo_);
-      pen_.stroke(0.7, ink);
+      pen_.fill_and_stroke(colour_of_material(material, options_), 0.7, ink);
       pen_.text(std::to_string(material), x + 17, y_ + 5.5, 11, ink, 0, 0.5,
                 across - 20);
       ++i;
@@ -263,13 +257,10 @@ class Legend {
   /// Draws a triangle with its base from a to b that points outwards to c.
   void tip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
            const Colour& colour) {
-    cairo_move_to(cairo_, a.x(), a.y());
-    cairo_line_to(cairo_, c.x(), c.y());
-    cairo_line_to(cairo_, b.x(), b.y());
+    for (const Eigen::Vector2d& corner : {a, c, b})
+      cairo_line_to(cairo_, corner.x(), corner.y());
     cairo_close_path(cairo_);
-    pen_.colour(colour);
-    cairo_fill_preserve(cairo_);
-    pen_.stroke(0.8, ink);
+    pen_.fill_and_stroke(colour, 0.8, ink);
   }
 
   void bar(const std::string& label, const Dimension& dimension,
@@ -294,9 +285,7 @@ class Legend {
       tip({x, bottom}, {x + width, bottom}, {middle, bottom + tip_length}, colour(0.0));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = top + height * (1.0 - range.place(marked.ticks[i]));
-      cairo_move_to(cairo_, place_.x + width, y);
-      cairo_rel_line_to(cairo_, 5, 0);
-      pen_.stroke(0.8, ink);
+      pen_.line(x + width, y, x + width + 5, y, 0.8, ink);
       pen_.text(marked.labels[i], place_.x + width + 9, y, 13, ink, 0, 0.5);
     }
     pen_.text(marked.offset, place_.x, top + height + 6, 13, ink, 0, 0);
@@ -321,9 +310,7 @@ class Legend {
       tip({left, top}, {left, top + thick}, {left - tip_length, middle}, colour(0.0));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double x = left + width * range.place(marked.ticks[i]);
-      cairo_move_to(cairo_, x, top + thick);
-      cairo_rel_line_to(cairo_, 0, 4);
-      pen_.stroke(0.8, ink);
+      pen_.line(x, top + thick, x, top + thick + 4, 0.8, ink);
       const double last = place_.x + room() - 0.5 * pen_.width(marked.labels[i], 13);
       pen_.text(marked.labels[i], std::min(x, last), top + thick + 7, 13, ink, 0.5, 0);
     }
@@ -355,7 +342,7 @@ class Legend {
     for (const MarkName& entry : options_.mark_names) {
       trace_mark(cairo_, entry.kind, place_.x + 10, y_ + 7, 6);
       pen_.stroke(2.2, mark_colour(entry.kind));
-      words(entry.name);
+      pen_.text(entry.name, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
       y_ += 18;
       pen_.text(entry.count, place_.x + 28, y_ + 7, 12, faint, 0, 0.5);
       y_ += 24;
@@ -404,8 +391,7 @@ void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,
 
 std::string with_unit(const std::string& label, const Dimension& dimension,
                       const FigureOptions& options) {
-  const std::string unit = unit_text(dimension, options.units);
-  return unit.empty() ? label : label + " [" + unit + "]";
+  return draw::with_unit(label, unit_text(dimension, options.units));
 }
 
 }  // namespace blocks::post

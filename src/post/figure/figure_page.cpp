@@ -189,8 +189,7 @@ Axes FigurePage::axes(std::size_t i) const {
 }
 
 void FigurePage::begin(Pen& pen) const {
-  pen.colour(paper);
-  cairo_paint(pen.cairo());
+  pen.clear();
   pen.text(title_, margins_.left, margins_.title, 21, ink, 0, 1,
            options_.page.width - margins_.left - 14);
 }
@@ -248,13 +247,10 @@ void FigurePage::end(Pen& pen, const Picture& last) const {
 }
 
 void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) const {
-  cairo_t* cairo = pen.cairo();
-  cairo_rectangle(cairo, axes.left, axes.top, axes.width, axes.height);
+  cairo_rectangle(pen.cairo(), axes.left, axes.top, axes.width, axes.height);
   pen.stroke(1.0, ink);
   const auto tick = [&](double x, double y, double dx, double dy) {
-    cairo_move_to(cairo, x, y);
-    cairo_rel_line_to(cairo, dx, dy);
-    pen.stroke(1.0, ink);
+    pen.line(x, y, x + dx, y + dy, 1.0, ink);
   };
   const auto [xs, ys] = ticks_of(axes);
   for (std::size_t i = 0; i < xs.ticks.size(); ++i) {

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "post/figure/bond_sides.hpp"
-#include "post/figure/face_sides.hpp"
+#include "post/figure/sides.hpp"
 #include "post/read/families.hpp"
 #include "post/read/force_network.hpp"
 #include "post/read/joint_faces.hpp"
@@ -223,19 +222,21 @@ FigureScales ScaleSurvey::scales() const {
   return result;
 }
 
-Frame frame_for(const FigureOptions& options, const ResultsReader& results,
-                long frame) {
-  Frame read = results.frame(frame);
-  if (options.shows_families())
-    read.material = families_of(read);
-  return read;
-}
-
-FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
-                           long frame) {
-  const bool shown =
+void for_each_picture(const ResultsReader& results, const std::vector<long>& frames,
+                      const FigureOptions& options,
+                      const std::function<void(std::size_t, const Picture&)>& action) {
+  const bool with_contacts =
       options.forces || options.shows_bonds() || quantities::find_other(options.colour);
-  return shown ? results.contacts(frame) : FrameContacts{};
+  ResultsTracker tracker(results);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    Frame now = results.frame(frames[k]);
+    if (options.shows_families())
+      now.material = families_of(now);
+    const FrameContacts contacts =
+        with_contacts ? results.contacts(frames[k]) : FrameContacts{};
+    const CrackedBlocks& cracked = tracker.at(frames[k], now);
+    action(k, {now, cracked.first, contacts, &tracker.first(), &cracked});
+  }
 }
 
 ColourMap map_of(const FigureOptions& options, Zero zero) {
@@ -253,14 +254,9 @@ FigureScales survey_scales(const ResultsReader& results,
                            const FigureOptions& options) {
   if (frames.empty())
     throw std::runtime_error("there is no time to draw");
-  ResultsTracker tracker(results);
   ScaleSurvey survey(options);
-  for (const long i : frames) {
-    const Frame now = frame_for(options, results, i);
-    const FrameContacts contacts = contacts_for(options, results, i);
-    const CrackedBlocks& cracked = tracker.at(i, now);
-    survey.include({now, cracked.first, contacts, &tracker.first(), &cracked});
-  }
+  for_each_picture(results, frames, options,
+                   [&](std::size_t, const Picture& one) { survey.include(one); });
   return survey.scales();
 }
 

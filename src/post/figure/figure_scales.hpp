@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -47,6 +49,13 @@ struct FigureScales {
   bool cracks = false;               ///< true if some picture shows faces of cracks
   bool water = false;                ///< true if some picture has a water table
   std::set<int> block_counts;        ///< numbers of blocks of the pictures
+
+  /// Returns the length on the page that is a share of the size of blocks, but not
+  /// below `least` nor above `most` [units].
+  double on_page(const draw::Axes& axes, double share, double least,
+                 double most) const {
+    return std::clamp(share * block_size * axes.scale(), least, most);
+  }
 };
 
 class ScaleSurvey {
@@ -90,13 +99,11 @@ draw::ColourMap map_of(const FigureOptions& options, draw::Zero zero);
 draw::ColourMap map_of(const FigureOptions& options, draw::Zero zero,
                        const draw::ValueRange& range);
 
-/// Reads a frame. In figures of families, the materials of its blocks are their
-/// families (families.hpp).
-Frame frame_for(const FigureOptions& options, const ResultsReader& results, long frame);
-
-/// Returns the contacts of a frame; reads them only if the figure shows them.
-FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
-                           long frame);
+/// Reads frames one at a time, and calls action(k, picture) for each, k from 0. In
+/// figures of families, the materials of blocks are their families (families.hpp).
+void for_each_picture(const ResultsReader& results, const std::vector<long>& frames,
+                      const FigureOptions& options,
+                      const std::function<void(std::size_t, const Picture&)>& action);
 
 /// Returns the vectors of the arrows with that name, (2, n): velocity, displacement or
 /// force. Throws std::runtime_error that lists the names.

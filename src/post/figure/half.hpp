@@ -3,8 +3,9 @@
 
 #include <cairo.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
+#include <vector>
 
 #include "draw/axes.hpp"
 
@@ -18,6 +19,13 @@ struct Half {
   /// Returns the place of a point of the model on the page.
   Eigen::Vector2d at(const Eigen::Vector2d& p) const {
     return {axes.x(mirror_x ? 2.0 * *mirror_x - p.x() : p.x()), axes.y(p.y())};
+  }
+  /// Returns the box around an outline on the page.
+  Eigen::AlignedBox2d box(const std::vector<Eigen::Vector2d>& outline) const {
+    Eigen::AlignedBox2d found;
+    for (const Eigen::Vector2d& p : outline)
+      found.extend(at(p));
+    return found;
   }
   /// Adds the line between two points of the model to the path, unless it is outside of
   /// the plot. Returns whether it is added.

@@ -161,31 +161,25 @@ void draw_movie(const std::string& path, const ResultsReader& results,
   Encoder encoder(ffmpeg(temporary.path(),
                          std::filesystem::path(path).extension() == ".gif", width,
                          height, rate));
-  ResultsTracker tracker(results);
-  bool well = true;
-  for (const long i : frames) {
-    const Frame now = frame_for(options, results, i);
-    const FrameContacts contacts = contacts_for(options, results, i);
-    const CrackedBlocks& cracked = tracker.at(i, now);
+  const auto expect = [&](bool well) {
+    if (!well)
+      throw output::FileError("cannot write " + path + ": ffmpeg failed");
+  };
+  for_each_picture(results, frames, options, [&](std::size_t, const Picture& picture) {
     {
       const Context cairo(cairo_create(surface.get()), cairo_destroy);
       Pen pen(cairo.get(), options.page);
       page.begin(pen);
-      const Picture picture{now, cracked.first, contacts, &tracker.first(), &cracked};
       page.picture(pen, 0, picture);
       page.end(pen, picture);
     }
     cairo_surface_flush(surface.get());
-    const unsigned char* rows = cairo_image_surface_get_data(surface.get());
     const auto stride =
         static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
-    well = encoder.put(rows, stride * static_cast<std::size_t>(height));
-    if (!well)
-      break;
-  }
-  well = encoder.finish() && well;
-  if (!well)
-    throw output::FileError("cannot write " + path + ": ffmpeg failed");
+    expect(encoder.put(cairo_image_surface_get_data(surface.get()),
+                       stride * static_cast<std::size_t>(height)));
+  });
+  expect(encoder.finish());
   temporary.take_name_keeping_older();
 }
 

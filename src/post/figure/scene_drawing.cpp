@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "post/figure/arrows.hpp"
-#include "post/figure/bond_sides.hpp"
-#include "post/figure/crack_faces.hpp"
-#include "post/figure/face_sides.hpp"
-#include "post/figure/joint_sides.hpp"
+#include "post/figure/sides.hpp"
+#include "post/figure/symbols.hpp"
 #include "post/read/families.hpp"
 #include "post/read/force_network.hpp"
 #include "post/read/quantity.hpp"
@@ -43,31 +41,30 @@ class SceneDrawing {
     for (const bool mirrored : {true, false}) {
       if (mirrored && !options_.mirror)
         continue;
-      mirrored_ = mirrored;
-      const auto plane = mirrored ? std::optional(options_.mirror_x) : std::nullopt;
+      turn(mirrored);
       if (options_.original)
         original();
       for (std::size_t b = 0; b < now_.outlines.size(); ++b)
         if (in_view(now_.outlines[b]))
           block(b);
       if (options_.shows_joints())
-        draw_joint_sides(pen_, axes_, now_, scales_, plane);
+        draw_joint_sides(pen_, half_, picture_, scales_);
       if (options_.shows_bonds())
-        draw_bond_sides(pen_, axes_, picture_, scales_, plane);
+        draw_bond_sides(pen_, half_, picture_, scales_);
       if (options_.shows_faces())
-        draw_face_sides(pen_, axes_, picture_, scales_, options_, plane);
+        draw_face_sides(pen_, half_, picture_, scales_, options_);
       if (options_.shows_cracks() && picture_.cracked != nullptr)
-        draw_crack_faces(pen_, axes_, now_, *picture_.cracked, scales_, plane);
+        draw_crack_faces(pen_, half_, picture_, scales_);
       if (options_.forces)
         forces();
       if (!options_.arrows.empty())
-        draw_arrows(pen_, axes_, picture_, scales_, options_, plane);
+        draw_arrows(pen_, half_, picture_, scales_, options_);
       if (!mirrored)
         numbers();
     }
     for (const bool mirrored : {true, false})
       if (!mirrored || options_.mirror) {
-        mirrored_ = mirrored;
+        turn(mirrored);
         water_table();
       }
     if (options_.mirror)
@@ -79,32 +76,33 @@ class SceneDrawing {
   }
 
  private:
-  double page_x(double x) const {
-    return axes_.x(mirrored_ ? 2.0 * options_.mirror_x - x : x);
+  using Box = Eigen::AlignedBox2d;
+
+  /// Goes on with the mirror image, or with the model itself.
+  void turn(bool mirrored) {
+    half_.mirror_x = mirrored ? std::optional(options_.mirror_x) : std::nullopt;
+  }
+  void trace(const Outline& line) {
+    for (const Eigen::Vector2d& p : line) {
+      const Eigen::Vector2d at = half_.at(p);
+      cairo_line_to(cairo_, at.x(), at.y());
+    }
   }
   void path(const Outline& outline) {
-    for (const Eigen::Vector2d& p : outline)
-      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    trace(outline);
     cairo_close_path(cairo_);
   }
   bool in_view(const Outline& outline) const {
-    double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
-    for (const Eigen::Vector2d& p : outline) {
-      const double x = page_x(p.x()), y = axes_.y(p.y());
-      x0 = std::min(x0, x), x1 = std::max(x1, x);
-      y0 = std::min(y0, y), y1 = std::max(y1, y);
-    }
-    return x1 >= axes_.left && x0 <= axes_.right() && y1 >= axes_.top &&
-           y0 <= axes_.bottom();
+    const Box plot(Eigen::Vector2d(axes_.left, axes_.top),
+                   Eigen::Vector2d(axes_.right(), axes_.bottom()));
+    return half_.box(outline).intersects(plot);
   }
   /// Returns the smaller side of the bounding box of a block on the page.
   double size_on_page(const Outline& outline) const {
-    Eigen::Vector2d low = outline.front(), high = outline.front();
-    for (const Eigen::Vector2d& p : outline) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    return (high - low).minCoeff() * axes_.scale();
+    Box box;
+    for (const Eigen::Vector2d& p : outline)
+      box.extend(p);
+    return box.sizes().minCoeff() * axes_.scale();
   }
 
   /// Returns the fill colour of a block; material colours are pale under a network of
@@ -113,7 +111,7 @@ class SceneDrawing {
     if (!options_.shows_quantity())
       return colour_of_material(now_.material[b], options_);
     const double value =
-        (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
+        (half_.mirror_x ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
     const ValueRange& range = scales_.colours;
     return map_of(options_, shown_.zero, range).at(range.place(value));
   }
@@ -149,7 +147,7 @@ class SceneDrawing {
   void forces() {
     if (!(scales_.force > 0.0))
       return;
-    const double full = std::clamp(0.3 * scales_.block_size * axes_.scale(), 2.5, 14.0);
+    const double full = scales_.on_page(axes_, 0.3, 2.5, 14.0);
     cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
     const auto links = force_network(picture_.contacts);
     for (const bool rim : {true, false})
@@ -166,9 +164,10 @@ class SceneDrawing {
       for (const int b : {link.first, link.second}) {
         if (b < 0 || b >= now_.size() || now_.fixed[static_cast<std::size_t>(b)] != 0)
           continue;
-        cairo_move_to(cairo_, page_x(link.point.x()), axes_.y(link.point.y()));
-        cairo_line_to(cairo_, page_x(now_.centroid(0, b)),
-                      axes_.y(now_.centroid(1, b)));
+        const Eigen::Vector2d from = half_.at(link.point),
+                              to = half_.at(now_.centroid.col(b));
+        cairo_move_to(cairo_, from.x(), from.y());
+        cairo_line_to(cairo_, to.x(), to.y());
       }
       const Colour line = intensity(part);
       if (rim)
@@ -184,12 +183,12 @@ class SceneDrawing {
       if (!(options_.numbers || options_.corners) || !in_view(outline))
         continue;
       const double size = size_on_page(outline);
-      const auto at = static_cast<Eigen::Index>(b);
-      const double x = page_x(now_.centroid(0, at)), y = axes_.y(now_.centroid(1, at));
+      const Eigen::Vector2d at =
+          half_.at(now_.centroid.col(static_cast<Eigen::Index>(b)));
       const Colour ground = fill_of(b), letters = is_dark(ground) ? white : ink;
       const bool fits = size > 1.3 * options_.page.least_text;
       if (options_.numbers && fits)
-        pen_.label(std::to_string(now_.number[b]), x, y,
+        pen_.label(std::to_string(now_.number[b]), at.x(), at.y(),
                    std::clamp(0.42 * size, 5.0, 16.0), letters, ground);
       if (options_.corners && size > 3.0 * options_.page.least_text)
         corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters, ground);
@@ -205,9 +204,10 @@ class SceneDrawing {
       const Eigen::Vector2d inwards = (outline[(i + 1) % n] - at).normalized() +
                                       (outline[(i + n - 1) % n] - at).normalized();
       const Eigen::Vector2d step = 1.2 * letter * inwards.normalized();
+      const Eigen::Vector2d corner = half_.at(at);
       pen_.label(std::to_string(i + 1),
-                 page_x(at.x()) + (mirrored_ ? -1 : 1) * step.x(),
-                 axes_.y(at.y()) - step.y(), letter, c, ground);
+                 corner.x() + (half_.mirror_x ? -1 : 1) * step.x(),
+                 corner.y() - step.y(), letter, c, ground);
     }
   }
 
@@ -244,15 +244,15 @@ class SceneDrawing {
     }
     for (const Mark& mark : options_.marks) {
       const Colour c = mark_colour(mark.kind);
-      const double x = page_x(mark.place.x()), y = axes_.y(mark.place.y());
-      trace_mark(cairo_, mark.kind, x, y, 9);
+      const Eigen::Vector2d at = half_.at(mark.place);
+      trace_mark(cairo_, mark.kind, at.x(), at.y(), 9);
       cairo_path_t* ring = cairo_copy_path(cairo_);
       pen_.stroke(4.5, paper, 0.9);
       cairo_append_path(cairo_, ring);
       cairo_path_destroy(ring);
       pen_.stroke(2.2, c);
       if (!mark.label.empty())
-        pen_.tag(mark.label, x + 16, y - 14, c);
+        pen_.tag(mark.label, at.x() + 16, at.y() - 14, c);
     }
   }
 
@@ -299,28 +299,24 @@ class SceneDrawing {
     const Outline line = table_of_model();
     if (line.size() < 2)
       return;
-    for (const Eigen::Vector2d& p : line)
-      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    trace(line);
     pen_.stroke(3.2, paper, 0.8);
-    for (const Eigen::Vector2d& p : line)
-      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    trace(line);
     pen_.stroke(1.6, water_colour);
     constexpr double part = 0.05;
     const double x = axes_.left + part * axes_.width;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const double x0 = page_x(line[k].x()), x1 = page_x(line[k + 1].x());
-      if (!(std::min(x0, x1) <= x && x < std::max(x0, x1)))
-        continue;
-      const double y0 = axes_.y(line[k].y()), y1 = axes_.y(line[k + 1].y());
-      draw_water_sign(pen_, x, y0 + (x - x0) / (x1 - x0) * (y1 - y0));
+      const Eigen::Vector2d a = half_.at(line[k]), b = half_.at(line[k + 1]);
+      if (std::min(a.x(), b.x()) <= x && x < std::max(a.x(), b.x()))
+        draw_water_sign(pen_, x,
+                        a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
     }
   }
 
   void centre_line() {
     pen_.dashes({14, 4, 3, 4});
-    cairo_move_to(cairo_, axes_.x(options_.mirror_x), axes_.top);
-    cairo_line_to(cairo_, axes_.x(options_.mirror_x), axes_.bottom());
-    pen_.stroke(1.2, ink, 0.8);
+    const double x = axes_.x(options_.mirror_x);
+    pen_.line(x, axes_.top, x, axes_.bottom(), 1.2, ink, 0.8);
     pen_.dashes({});
   }
 
@@ -332,74 +328,15 @@ class SceneDrawing {
   const FigureScales& scales_;
   const FigureOptions& options_;
   Quantity shown_;
-  Eigen::VectorXd in_mirror_;  ///< the values of the mirrored half
-  bool mirrored_ = false;
+  Eigen::VectorXd in_mirror_;       ///< the values of the mirrored half
+  Half half_{axes_, std::nullopt};  ///< that is drawn
 };
 
 }  // namespace
 
-void draw_water_sign(Pen& pen, double x, double y) {
-  constexpr double half = 6.0, high = 10.0;
-  cairo_t* cairo = pen.cairo();
-  cairo_move_to(cairo, x, y);
-  cairo_line_to(cairo, x - half, y - high);
-  cairo_line_to(cairo, x + half, y - high);
-  cairo_close_path(cairo);
-  pen.colour(paper);
-  cairo_fill_preserve(cairo);
-  pen.stroke(1.4, water_colour);
-  for (const auto& [wide, down] : {std::pair{5.0, 4.0}, {2.5, 7.0}}) {
-    cairo_move_to(cairo, x - wide, y + down);
-    cairo_line_to(cairo, x + wide, y + down);
-    pen.stroke(1.2, water_colour);
-  }
-}
-
 void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
                 const FigureScales& scales, const FigureOptions& options) {
   SceneDrawing(pen, axes, picture, scales, options).draw();
-}
-
-void hatch(Pen& pen, const Colour& ground) {
-  cairo_t* cairo = pen.cairo();
-  double x0, y0, x1, y1, left, top, right, bottom;
-  cairo_path_extents(cairo, &x0, &y0, &x1, &y1);
-  cairo_clip_extents(cairo, &left, &top, &right, &bottom);
-  cairo_path_t* outline = cairo_copy_path(cairo);
-  cairo_save(cairo);
-  cairo_clip(cairo);
-  constexpr double gap = 9.0;
-  // Limit the hatching to the page, for blocks much larger than it.
-  x0 = std::max(x0, left), x1 = std::min(x1, right);
-  y0 = std::max(y0, top), y1 = std::min(y1, bottom);
-  for (double x = std::floor((x0 - (y1 - y0)) / gap) * gap; x < x1; x += gap) {
-    cairo_move_to(cairo, x, y1);
-    cairo_line_to(cairo, x + (y1 - y0), y0);
-  }
-  const bool dark = is_dark(ground);
-  pen.stroke(1.0, dark ? white : Colour{0.1, 0.1, 0.1}, dark ? 0.45 : 0.35);
-  cairo_restore(cairo);
-  cairo_append_path(cairo, outline);
-  cairo_path_destroy(outline);
-}
-
-void draw_plane(Pen& pen, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  constexpr double gap = 9.0, stroke = 6.0;
-  cairo_t* const cairo = pen.cairo();
-  const double length = (to - from).norm();
-  const Eigen::Vector2d along = (to - from) / length;
-  // On a page, y points downwards.
-  const Eigen::Vector2d slanted =
-      stroke * (Eigen::Vector2d(-along.y(), along.x()) - along);
-  cairo_move_to(cairo, from.x(), from.y());
-  cairo_line_to(cairo, to.x(), to.y());
-  pen.stroke(1.4, ink);
-  for (double at = gap; at <= length; at += gap) {
-    const Eigen::Vector2d foot = from + at * along;
-    cairo_move_to(cairo, foot.x(), foot.y());
-    cairo_rel_line_to(cairo, slanted.x(), slanted.y());
-  }
-  pen.stroke(0.8, ink);
 }
 
 Colour colour_of_material(int material, const FigureOptions& options) {

@@ -8,10 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "draw/colour_map.hpp"
-#include "post/figure/bond_sides.hpp"
-#include "post/figure/crack_faces.hpp"
-#include "post/figure/face_sides.hpp"
-#include "post/figure/scene_drawing.hpp"
+#include "post/figure/sides.hpp"
+#include "post/figure/symbols.hpp"
 #include "post/page/view_bonds.hpp"
 #include "post/page/view_faces.hpp"
 #include "post/page/view_forces.hpp"
@@ -257,6 +255,7 @@ class Packer {
     }
     if (bonds_.any()) {
       json["largest_slip"] = bonds_.largest_slip();
+      json["bonded_colour"] = css(bonded_colour);
       json["slip_colours"] = colours_of({slip_colour});
       json["stress_unit"] = unit_text({-1, 1, -2, "Pa", ""}, units);
     }

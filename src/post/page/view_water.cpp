@@ -11,7 +11,7 @@ void ViewWater::add_frame(const Frame& now, const ViewShapes& shapes) {
   int before = -1, number = 0;
   for (const WetSide& side : now.wet_sides) {
     if (now.fixed[static_cast<std::size_t>(side.block)] != 0)
-      continue;  // as in face_sides.cpp
+      continue;  // as in sides.cpp
     const int corner = shapes.corner_index(side.block + 1, side.side + 1);
     number = corner == before ? number + 1 : 0;
     before = corner;

@@ -1,5 +1,5 @@
 // Figures and pages of bonds: the parts of faces and their colours.
-#include "post/figure/bond_sides.hpp"
+#include "post/figure/sides.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

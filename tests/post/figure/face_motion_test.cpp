@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "post/figure/face_sides.hpp"
 #include "post/figure/figure_page.hpp"
+#include "post/figure/sides.hpp"
 
 namespace blocks::post {
 namespace {

@@ -2,13 +2,12 @@
 // runs without such laws do not show them. The parts of faces are those of joint_faces.cpp.
 
 const bond_words = ["bonded", "weakened", "failed", "intact"];
-const bonded_shade = "#0d4778", plain_side = "#adadb3";
 const has_failed = (bond) => bond === 1 || bond === 2;
 
 /// Returns the colour of a failed face, which has slipped by a part of the largest slip, 0 to 1.
 const slip_shade = (part) => meta.slip_colours[Math.round(Math.min(1, part) * (meta.slip_colours.length - 1))];
 const bond_shade = (bond, slip) =>
-  has_failed(bond) ? slip_shade(meta.largest_slip > 0 ? Math.abs(slip) / meta.largest_slip : 0) : bonded_shade;
+  has_failed(bond) ? slip_shade(meta.largest_slip > 0 ? Math.abs(slip) / meta.largest_slip : 0) : meta.bonded_colour;
 
 let first_bond = null;
 /// Returns the range of the contacts of a frame in the arrays.
@@ -100,7 +99,7 @@ function bond_legend(bar, ticks) {
   const present = [0, 1, 2, 3].filter((bond) => data.bond_state.includes(bond)), most = meta.largest_slip;
   const parts = [{title: "bond", swatches: present.map((bond) => ({
     name: bond_words[bond], line: true, dashes: bond === 1 ? [5, 3] : [],
-    shade: has_failed(bond) ? slip_shade(most > 0 ? 0.5 : 0) : bonded_shade}))}];
+    shade: has_failed(bond) ? slip_shade(most > 0 ? 0.5 : 0) : meta.bonded_colour}))}];
   if (most > 0)
     parts.push({...label_ticks(0, most, ticks, "slip", meta.length_unit), low: 0, high: most, bar,
       colours: meta.slip_colours, is_cut: [false, false], marks: []});

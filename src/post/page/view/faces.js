@@ -1,5 +1,5 @@
 // Faces between blocks in the colours of their opening or shear displacement, and sides in those of
-// the pressure of water, with the rules of face_sides.cpp. Pages without them do not show them.
+// the pressure of water, with the rules of sides.cpp. Pages without them do not show them.
 
 /// Returns the quantity of the colours, of blocks or of faces; nothing for materials.
 const face_quantity = (name) => (meta.face_quantities ?? []).find((q) => q.name === name);
