@@ -9,14 +9,13 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _blocks, exports, notebooks, quantities
+from . import _blocks, exports, frame_arrays, notebooks, quantities
 from .dimensions import Units, unit_text
 from .errors import FileError
-from .results_file import expected, frozen
+from .results_file import frozen
 from .state_tables import contact_table, crack_count
 
 if TYPE_CHECKING:
@@ -25,11 +24,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Frame"]
 
-# Columns of the cell arrays that have more than one.
-_WIDTHS = {"Centroid": 3, "Velocity": 3, "Force": 3, "Stress": 4, "AppliedStress": 4, "StrainRate": 4, "WaterForce": 3}
-# Cell arrays that the program writes with every frame.
-_OF_EVERY_FRAME = {*_WIDTHS, "BlockNumber", "Material", "Fixed", "Area", "Mass", "Inertia", "Angle", "Spin", "Moment"}
-_OF_EVERY_FRAME -= {"WaterForce"}
 _REMOVED = 3  # value of the cell array Fixed for a removed block
 
 _Floats = NDArray[np.float64]
@@ -65,39 +59,17 @@ class Frame:
     @functools.cached_property
     def names(self) -> tuple[str, ...]:
         """Names of the cell arrays of this frame, as in the file: "Stress", "Velocity"."""
-
-        def action(file: h5py.File) -> tuple[str, ...]:
-            offsets = file["VTKHDF/Steps/CellDataOffsets"]
-            # A run that was interrupted while it added an array left frames without it.
-            return tuple(
-                name
-                for name in file["VTKHDF/CellData"]
-                if name in offsets and offsets[name].shape[0] > self.index
-            )
-
-        return self.results._file.read(action)
+        return self.results._file.read(lambda file: frame_arrays.cell_names(file, self.index))
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """Returns a cell array as the file has it. Raises KeyError if there is none of that name."""
         if name in self._arrays:
             return self._arrays[name]
-        if name not in self.names and name in _OF_EVERY_FRAME:
+        if name not in self.names and name in frame_arrays.OF_EVERY_FRAME:
             raise FileError(f"cannot read {self.results.path}: it is damaged (frame {self.index} has no {name})")
         if name not in self.names:
             raise KeyError(f"there is no cell array {name!r}: choose {', '.join(self.names)}")
-
-        def action(file: h5py.File) -> NDArray[Any]:
-            vtk = file["VTKHDF"]
-            part = vtk["Steps/PartOffsets"][self.index]
-            blocks = vtk["NumberOfCells"][part]
-            first = vtk["Steps/CellDataOffsets"][name][self.index]
-            values = vtk["CellData"][name][first : first + blocks]
-            shape = (blocks, _WIDTHS[name]) if name in _WIDTHS else (blocks,)
-            if first < 0:
-                raise ValueError(f"CellDataOffsets/{name} is out of range")
-            return expected(f"CellData/{name}", values, shape, "biuf")
-
-        self._arrays[name] = frozen(self.results._file.read(action))
+        self._arrays[name] = self.results._file.read(lambda file: frame_arrays.cell_array(file, self.index, name))
         return self._arrays[name]
 
     def __len__(self) -> int:
@@ -117,39 +89,7 @@ class Frame:
 
     @functools.cached_property
     def _outlines(self) -> tuple[_Floats, _Integers, _Integers, _Integers]:
-        """Corners of all blocks that are not removed, where each begins, joint ids, and the points of the corners."""
-
-        def action(file: h5py.File) -> tuple[_Floats, _Integers, _Integers, _Integers]:
-            vtk, i = file["VTKHDF"], self.index
-            steps = vtk["Steps"]
-            part = int(steps["PartOffsets"][i])
-            blocks, points, ids = (
-                int(vtk[name][part])
-                for name in ("NumberOfCells", "NumberOfPoints", "NumberOfConnectivityIds")
-            )
-            first = int(steps["PointOffsets"][i])
-            corners = vtk["Points"][first : first + points, :2]
-            first = int(steps["CellOffsets"][i]) + part  # each part has one more than cells
-            starts = vtk["Offsets"][first : first + blocks + 1]
-            first = int(steps["ConnectivityIdOffsets"][i])
-            order = vtk["Connectivity"][first : first + ids]
-            joint = np.zeros(points, np.int32)
-            offsets = steps.get("PointDataOffsets/Joint")
-            if offsets is not None and offsets.shape[0] > i:
-                first = int(offsets[i])
-                joint = vtk["PointData/Joint"][first : first + points]
-            expected("Points", corners, (points, 2), "f")
-            expected("Offsets", starts, (blocks + 1,), "iu")
-            expected("Connectivity", order, (ids,), "iu")
-            expected("PointData/Joint", joint, (points,), "iu")
-            if starts[0] != 0 or starts[-1] != ids or (np.diff(starts) < 0).any():
-                raise ValueError("Offsets is out of range")
-            if ((order < 0) | (order >= points)).any():
-                raise ValueError("Connectivity is out of range")
-            return corners[order], starts, joint[order], order
-
-        corners, starts, joint, order = self.results._file.read(action)
-        return frozen(corners), frozen(starts), frozen(joint), frozen(order)
+        return self.results._file.read(lambda file: frame_arrays.outlines_of(file, self.index))
 
     @property
     def corners(self) -> _Floats:
@@ -166,20 +106,6 @@ class Frame:
         """(m,) joint id of the side that begins at each corner; 0: none."""
         return self._outlines[2]
 
-    def _of_water(self, rows: str, names: tuple[str, ...]) -> tuple[NDArray[Any], ...]:
-        """Rows of this frame of datasets of BLOCKS/water, without any if there is no water."""
-
-        def action(file: h5py.File) -> tuple[NDArray[Any], ...]:
-            water = file.get("BLOCKS/water")
-            first, count = 0, 0
-            if water is not None and "points_of_frame" in water and water[rows].shape[0] > self.index:
-                first, count = map(int, water[rows][self.index])
-            if count == 0:
-                return ()
-            return tuple(water[name][first : first + count] for name in names)
-
-        return self.results._file.read(action)
-
     @functools.cached_property
     def wet_sides(self) -> NDArray[np.void]:
         """The parts of sides on which water presses, with linear pressure: a structured array.
@@ -187,22 +113,13 @@ class Frame:
         `corner` is the row of `corners` where the side begins, `share` (2,) are the ends of the part as shares of
         the side, `pressure` (2,) [F/L^2] is the pressure there.
         """
-        kind = np.dtype([("corner", np.int64), ("share", np.float64, 2), ("pressure", np.float64, 2)])
-        found = self._of_water("parts_of_frame", ("corner", "part"))
-        table = np.zeros(len(found[0]) if found else 0, kind)
-        if found:
-            order = self._outlines[3]
-            rows = np.full(int(order.max()) + 1, -1, np.int64)
-            rows[order] = np.arange(len(order))
-            expected("BLOCKS/water/part", found[1], (len(table), 4), "f")
-            table["corner"], table["share"], table["pressure"] = rows[found[0]], found[1][:, :2], found[1][:, 2:]
-        return frozen(table)
+        points = self._outlines[3]
+        return self.results._file.read(lambda file: frame_arrays.wet_side_table(file, self.index, points))
 
     @functools.cached_property
     def water_table(self) -> _Floats:
         """(k, 2) [L] the water table as a line from the left to the right; (0, 2) without one."""
-        found = self._of_water("points_of_frame", ("point",))
-        return frozen(found[0] if found else np.zeros((0, 2)))
+        return self.results._file.read(lambda file: frame_arrays.water_table_of(file, self.index))
 
     @functools.cached_property
     def polygons(self) -> list[_Floats]:
@@ -361,11 +278,7 @@ class Frame:
         return self.results.title
 
     def _scalar(self, name: str) -> float:
-        def action(file: h5py.File) -> float:
-            offset = file["VTKHDF/Steps/FieldDataOffsets"][name][self.index]
-            return float(file["VTKHDF/FieldData"][name][offset].item())
-
-        return self.results._file.read(action)
+        return self.results._file.read(lambda file: frame_arrays.field_value(file, self.index, name))
 
     @property
     def kinetic_energy(self) -> float:
