@@ -2,9 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 namespace blocks::draw {
 namespace {
@@ -29,24 +26,13 @@ std::string big_endian(std::uint32_t number) {
 
 }  // namespace
 
-void set_png_resolution(const std::string& path, double resolution) {
+std::string with_resolution(std::string image, double resolution) {
   constexpr std::size_t after_header = 8 + 25;  // signature and IHDR
-  std::string image;
-  {
-    std::ifstream in(path, std::ios::binary);
-    image.assign(std::istreambuf_iterator<char>(in), {});
-  }
-  if (image.size() < after_header)
-    throw std::runtime_error("cannot read " + path + " again");
   const auto per_metre = static_cast<std::uint32_t>(std::lround(resolution / 0.0254));
   const std::string chunk =
       "pHYs" + big_endian(per_metre) + big_endian(per_metre) + '\1';  // unit: metre
   image.insert(after_header, big_endian(9) + chunk + big_endian(checksum(chunk)));
-  std::ofstream out(path, std::ios::binary);
-  out << image;
-  out.close();
-  if (!out)
-    throw std::runtime_error("cannot write " + path);
+  return image;
 }
 
 }  // namespace blocks::draw

@@ -1,12 +1,12 @@
-// The physical size of a PNG file.
+// The physical size of a PNG image.
 #pragma once
 
 #include <string>
 
 namespace blocks::draw {
 
-/// Stores the resolution [dots per inch] in a PNG file, so that programs show it in its
-/// physical size. Throws std::runtime_error if the file cannot be rewritten.
-void set_png_resolution(const std::string& path, double resolution);
+/// Returns a PNG file with its resolution [dots per inch], so that programs show it in
+/// its physical size.
+std::string with_resolution(std::string image, double resolution);
 
 }  // namespace blocks::draw

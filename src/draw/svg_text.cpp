@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 namespace blocks::draw {
 namespace {
@@ -71,21 +68,6 @@ void SvgText::add(cairo_t* cairo, const TextLine& line) {
                              "stroke-linejoin=\"round\" paint-order=\"stroke\"",
                              css(line.rim_colour), scale * line.rim);
   elements_ += ">" + escaped(line.words) + "</text>\n";
-}
-
-void SvgText::insert_into(const std::string& path) const {
-  std::string page;
-  {
-    std::ifstream in(path, std::ios::binary);
-    page.assign(std::istreambuf_iterator<char>(in), {});
-  }
-  if (page.find("</svg>") == std::string::npos)
-    throw std::runtime_error("cannot read " + path + " again");
-  std::ofstream out(path, std::ios::binary);
-  out << inserted(std::move(page));
-  out.close();
-  if (!out)
-    throw std::runtime_error("cannot write " + path);
 }
 
 std::string SvgText::inserted(std::string page) const {

@@ -37,10 +37,6 @@ class SvgText {
   /// Adds a line unless its anchor is clipped.
   void add(cairo_t* cairo, const TextLine& line);
 
-  /// Puts the text into the complete SVG file. Throws std::runtime_error if the file
-  /// cannot be rewritten.
-  void insert_into(const std::string& path) const;
-
   /// Returns the complete SVG page with the text. Throws std::runtime_error if the page
   /// has no end.
   std::string inserted(std::string page) const;

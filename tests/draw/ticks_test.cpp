@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "draw/axes.hpp"
+#include "draw/value_range.hpp"
 
 namespace blocks::draw {
 namespace {
@@ -63,5 +64,18 @@ TEST(Axes, TicksAreRoundNumbers) {
   EXPECT_THAT(nice_ticks(-0.3, 10.2, 5), ElementsAre(0, 2, 4, 6, 8, 10));
   EXPECT_TRUE(nice_ticks(1, 1, 5).empty());
 }
+
+TEST(ValueRange, OfDecadesEndsAtPowersOfTen) {
+  const ValueRange range = ValueRange::of_decades(1e-9, 9810.0, 4);
+  EXPECT_DOUBLE_EQ(range.high, 1e4);
+  EXPECT_DOUBLE_EQ(range.low, 1.0);
+  EXPECT_DOUBLE_EQ(range.place(100.0), 0.5);
+  EXPECT_EQ(range.place(0.0), 0.0);
+  EXPECT_DOUBLE_EQ(ValueRange::of_decades(3.0, 9810.0, 9).low, 1.0);
+  EXPECT_DOUBLE_EQ(ValueRange::of_decades(10.0, 10.0, 9).low, 1.0);  // one decade
+  EXPECT_THAT(range.ticks(6).labels, ElementsAre("10⁰", "10¹", "10²", "10³", "10⁴"));
+  EXPECT_THAT(range.ticks(3).labels, ElementsAre("10⁰", "10²", "10⁴"));
+}
+
 }  // namespace
 }  // namespace blocks::draw

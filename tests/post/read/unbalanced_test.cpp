@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "draw/value_range.hpp"
 #include "post/page/view_data.hpp"
 #include "post/read/quantity.hpp"
 #include "run/program.hpp"
@@ -13,8 +12,6 @@
 namespace blocks::testing {
 namespace {
 
-using draw::ValueRange;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -89,18 +86,6 @@ TEST(UnbalancedForces, HaveColoursByDecades) {
     EXPECT_THAT(figure, HasSubstr(text));
   const post::ResultsReader results((folder / "a.vtkhdf").string());
   EXPECT_THAT(post::view_data(results, 1).meta, HasSubstr("\"unbalanced\""));
-}
-
-TEST(ValueRange, OfDecadesEndsAtPowersOfTen) {
-  const ValueRange range = ValueRange::of_decades(1e-9, 9810.0, 4);
-  EXPECT_DOUBLE_EQ(range.high, 1e4);
-  EXPECT_DOUBLE_EQ(range.low, 1.0);
-  EXPECT_DOUBLE_EQ(range.place(100.0), 0.5);
-  EXPECT_EQ(range.place(0.0), 0.0);
-  EXPECT_DOUBLE_EQ(ValueRange::of_decades(3.0, 9810.0, 9).low, 1.0);
-  EXPECT_DOUBLE_EQ(ValueRange::of_decades(10.0, 10.0, 9).low, 1.0);  // one decade
-  EXPECT_THAT(range.ticks(6).labels, ElementsAre("10⁰", "10¹", "10²", "10³", "10⁴"));
-  EXPECT_THAT(range.ticks(3).labels, ElementsAre("10⁰", "10²", "10⁴"));
 }
 
 }  // namespace
