@@ -6,7 +6,6 @@
 
 #include "draw/chart/rose_layout.hpp"
 #include "draw/number_text.hpp"
-#include "post/figure/figure_legend.hpp"
 
 namespace blocks::post {
 
@@ -30,7 +29,7 @@ Histogram crack_histogram(const std::string& name, const char* counted,
                           std::vector<double> values) {
   const std::string unit = unit_text(dimension, options.units);
   Histogram histogram{
-      with_unit(name, dimension, options), std::move(values), false, {}, counted};
+      options.with_unit(name, dimension), std::move(values), false, {}, counted};
   histogram.note = fmt::format("median {:.3g} {}", median_of(histogram.values), unit);
   return histogram;
 }

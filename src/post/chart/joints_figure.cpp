@@ -7,7 +7,6 @@
 #include "draw/chart/rose_layout.hpp"
 #include "draw/number_text.hpp"
 #include "post/chart/joint_statistics.hpp"
-#include "post/figure/figure_legend.hpp"
 
 namespace blocks::post {
 
@@ -21,7 +20,7 @@ std::vector<Histogram> histograms_of(const JointStatistics& joints,
   const std::string unit = unit_text(area, options.units);
   const double mean = std::accumulate(joints.sides.begin(), joints.sides.end(), 0.0) /
                       static_cast<double>(joints.sides.size());
-  return {Histogram{with_unit("area", area, options), joints.area, false,
+  return {Histogram{options.with_unit("area", area), joints.area, false,
                     fmt::format("median {:.3g} {}", median_of(joints.area), unit)},
           {"aspect ratio", joints.aspect, false,
            fmt::format("median {:.3g}", median_of(joints.aspect))},

@@ -9,6 +9,7 @@
 
 #include "draw/colour_map.hpp"
 #include "draw/marks.hpp"
+#include "draw/number_text.hpp"
 #include "draw/page_size.hpp"
 #include "post/read/results_reader.hpp"
 #include "post/read/units.hpp"
@@ -54,6 +55,10 @@ struct FigureOptions {
   std::map<int, draw::Colour> material_colours;  ///< replace the default colours
   std::map<int, std::string> material_names;     ///< shown instead of the numbers
 
+  /// Returns a label with its unit: "speed [m/s]", "speed [L T⁻¹]".
+  std::string with_unit(const std::string& label, const Dimension& dimension) const {
+    return draw::with_unit(label, unit_text(dimension, units));
+  }
   bool shows_families() const { return colour == "family"; }
   bool shows_joints() const { return colour == "joint"; }
   bool shows_bonds() const { return colour == "bond"; }

@@ -9,7 +9,6 @@
 
 #include "draw/axes.hpp"
 #include "draw/joint_colours.hpp"
-#include "draw/number_text.hpp"
 #include "post/figure/arrows.hpp"
 #include "post/figure/scene_drawing.hpp"
 #include "post/figure/sides.hpp"
@@ -198,6 +197,7 @@ class Legend {
         swatch(colour_of_material(material, options_), false, material_text(material));
       return;
     }
+    end_cells();
     const std::size_t columns = columns_of(place_.below ? room() : 0.0);
     const double top = y_, across = room() / static_cast<double>(columns);
     const bool all = present.size() <= most_materials;
@@ -247,7 +247,7 @@ class Legend {
   void zero(const std::string& label, const Dimension& dimension, double room,
             const Colour& colour) {
     const double end = y_ + (place_.below ? low_bar : room);
-    y_ += 4 + pen_.paragraph(with_unit(label, dimension, options_), place_.x, y_, 14,
+    y_ += 4 + pen_.paragraph(options_.with_unit(label, dimension), place_.x, y_, 14,
                              ink, this->room());
     swatch(colour, false, "0 everywhere");
     across_ = 0.0;
@@ -273,7 +273,7 @@ class Legend {
     const double width = 22, end = y_ + room;
     const TickLabels marked =
         range.ticks(std::max(3, static_cast<int>((room - 70) / 50)));
-    y_ += pen_.paragraph(marked.titled(with_unit(label, dimension, options_)), place_.x,
+    y_ += pen_.paragraph(marked.titled(options_.with_unit(label, dimension)), place_.x,
                          y_, 14, ink, this->room());
     const double top = y_ + 10, height = end - 24 - top;
     fill_bar(cairo_pattern_create_linear(0, top + height, 0, top),
@@ -299,7 +299,7 @@ class Legend {
     constexpr double thick = 11, margin = tip_length;
     const double left = place_.x + margin, width = room() - 2 * margin, top = y_ + 20;
     const TickLabels marked = range.ticks(std::max(3, static_cast<int>(width / 70)));
-    pen_.text(marked.titled(with_unit(label, dimension, options_)), left, y_ + 8, 14,
+    pen_.text(marked.titled(options_.with_unit(label, dimension)), left, y_ + 8, 14,
               ink, 0, 0.5, width);
     fill_bar(cairo_pattern_create_linear(left, 0, left + width, 0),
              {left, top, width, thick}, colour);
@@ -374,24 +374,22 @@ double legend_height(const FigureScales& scales, const FigureOptions& options) {
 double legend_height_below(const FigureScales& scales, const FigureOptions& options,
                            double width) {
   const std::size_t materials = by_material(options) ? scales.materials.size() : 0;
-  const std::size_t cells = (materials <= few_materials ? materials : 0) +
-                            (scales.fixed ? 1 : 0) + (scales.cracks ? 1 : 0) +
-                            (options.planes.empty() ? 0 : 1) + (scales.water ? 1 : 0) +
-                            joint_entries(scales);
-  const double in_row = std::max(1.0, std::floor(width / cell));
-  return (materials > few_materials ? many_materials_height(materials, width) : 0) +
-         std::ceil(static_cast<double>(cells) / in_row) * cell_line +
+  const std::size_t joints = joint_entries(scales);
+  const std::size_t others = (scales.fixed ? 1 : 0) + (scales.cracks ? 1 : 0) +
+                             (options.planes.empty() ? 0 : 1) + (scales.water ? 1 : 0);
+  const auto rows = [&](std::size_t cells) {
+    const double in_row = std::max(1.0, std::floor(width / cell));
+    return std::ceil(static_cast<double>(cells) / in_row) * cell_line;
+  };
+  return (materials > few_materials
+              ? rows(joints) + many_materials_height(materials, width) + rows(others)
+              : rows(joints + materials + others)) +
          (options.arrows.empty() ? 0 : arrow_line) + bars(scales, options) * low_bar;
 }
 
 void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,
                  const FigureScales& scales, const FigureOptions& options) {
   Legend(pen, place, picture, scales, options).draw();
-}
-
-std::string with_unit(const std::string& label, const Dimension& dimension,
-                      const FigureOptions& options) {
-  return draw::with_unit(label, unit_text(dimension, options.units));
 }
 
 }  // namespace blocks::post

@@ -24,8 +24,4 @@ double legend_height_below(const FigureScales& scales, const FigureOptions& opti
 void draw_legend(draw::Pen& pen, const LegendPlace& place, const Picture& picture,
                  const FigureScales& scales, const FigureOptions& options);
 
-/// Returns a label with its unit: "speed [m/s]", "speed [L T⁻¹]".
-std::string with_unit(const std::string& label, const Dimension& dimension,
-                      const FigureOptions& options);
-
 }  // namespace blocks::post

@@ -270,13 +270,12 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
                numbers_);
   }
   if (along_x) {
-    pen.text(xs.axis_title(with_unit("x", length, options_)),
-             axes.left + axes.width / 2, axes.bottom() + 38, 15, ink, 0.5, 0,
-             axes.width);
+    pen.text(xs.axis_title(options_.with_unit("x", length)), axes.left + axes.width / 2,
+             axes.bottom() + 38, 15, ink, 0.5, 0, axes.width);
   }
   if (along_y) {
     const double label = axes.left - numbers_ - 20;
-    pen.upright(ys.axis_title(with_unit("y", length, options_)), label,
+    pen.upright(ys.axis_title(options_.with_unit("y", length)), label,
                 axes.top + axes.height / 2, 15, ink, axes.height);
   }
 }

@@ -62,24 +62,24 @@ void ScaleSurvey::include(const Picture& picture) {
   const Frame& now = picture.now;
   // If all blocks are removed, the picture shows the empty place where they were.
   include_corners(now.count_present() > 0 ? now : picture.original_frame());
-  block_counts_.insert(now.count_present());
+  found_.block_counts.insert(now.count_present());
   for (int b = 0; b < now.size(); ++b) {
     if (now.is_removed(b))
       continue;
-    materials_.insert(now.material[static_cast<std::size_t>(b)]);
-    fixed_ = fixed_ || now.fixed[static_cast<std::size_t>(b)] != 0;
+    found_.materials.insert(now.material[static_cast<std::size_t>(b)]);
+    found_.fixed = found_.fixed || now.fixed[static_cast<std::size_t>(b)] != 0;
   }
   if (options_.original)
     include_corners(picture.original_frame());
-  cracks_ = cracks_ ||
-            (options_.shows_cracks() && picture.cracked != nullptr && now.cracks > 0);
-  water_ = water_ || !now.water_line.empty();
+  found_.cracks = found_.cracks || (options_.shows_cracks() &&
+                                    picture.cracked != nullptr && now.cracks > 0);
+  found_.water = found_.water || !now.water_line.empty();
   if (options_.shows_joints())
-    joints_.merge(joints_of(now));
+    found_.joints.merge(joints_of(now));
   if (options_.shows_bonds())
     for (const FacePart& part : face_parts(now, picture.contacts)) {
-      bonds_.insert(part.bond);
-      slip_ = std::max(slip_, part.slip);
+      found_.bonds.insert(part.bond);
+      found_.slip = std::max(found_.slip, part.slip);
     }
   const auto include_values = [&](const Eigen::VectorXd& values) {
     for (const double value : values)
@@ -122,7 +122,7 @@ void ScaleSurvey::include(const Picture& picture) {
     include_arrows(lengths);
   }
   if (picture.now.area.size() > 0)
-    block_size_ = std::sqrt(usual(
+    found_.block_size = std::sqrt(usual(
         {picture.now.area.data(), picture.now.area.data() + picture.now.area.size()}));
 }
 
@@ -170,7 +170,7 @@ ValueRange ScaleSurvey::colours() const {
 }
 
 FigureScales ScaleSurvey::scales() const {
-  FigureScales result;
+  FigureScales result = found_;
   if (options_.zoom) {
     result.view = *options_.zoom;
     if (!(result.view[0] < result.view[1] && result.view[2] < result.view[3]))
@@ -186,13 +186,13 @@ FigureScales ScaleSurvey::scales() const {
     result.view = {left - margin, right + margin, low_.y() - margin,
                    high_.y() + margin};
   }
-  if (options_.shows_joints() && joints_.empty())
+  if (options_.shows_joints() && found_.joints.empty())
     throw std::runtime_error(no_joints_text());
-  if (options_.shows_bonds() && bonds_.empty())
+  if (options_.shows_bonds() && found_.bonds.empty())
     throw std::runtime_error(no_laws_text());
   if (options_.shows_faces() && least_ > most_)
     throw std::runtime_error(no_faces_text(options_.colour));
-  if (options_.shows_families() && materials_ == std::set<int>{0})
+  if (options_.shows_families() && found_.materials == std::set<int>{0})
     throw std::runtime_error("no block has split at the times drawn\n  hint: blocks "
                              "split if their material has a CRACK card");
   if (const QuantityKind* kind = quantities::find_quantity(options_.colour);
@@ -210,15 +210,6 @@ FigureScales ScaleSurvey::scales() const {
   const bool is_given = options_.arrow_scale && options_.arrow_scale->value > 0.0;
   result.arrow = is_given ? options_.arrow_scale->value : usual(arrows_);
   result.cuts_arrows = options_.arrow_scale && longest_arrow_ > result.arrow;
-  result.block_size = block_size_;
-  result.materials = materials_;
-  result.joints = joints_;
-  result.bonds = bonds_;
-  result.slip = slip_;
-  result.fixed = fixed_;
-  result.cracks = cracks_;
-  result.water = water_;
-  result.block_counts = block_counts_;
   return result;
 }
 

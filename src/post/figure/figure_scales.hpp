@@ -80,11 +80,7 @@ class ScaleSurvey {
   std::vector<double> forces_;  ///< the largest of each picture
   std::vector<double> arrows_;  ///< the largest or the percentile of each picture
   double longest_arrow_ = 0.0;
-  double block_size_ = 1.0;
-  std::set<int> materials_, joints_, block_counts_;
-  std::set<quantities::Bond> bonds_;
-  double slip_ = 0.0;
-  bool fixed_ = false, cracks_ = false, water_ = false;
+  FigureScales found_;  ///< all but view, colours, force and arrow
 };
 
 /// Returns the scales of these frames, reading one at a time. Throws std::runtime_error
