@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "draw/chart/rose_layout.hpp"
+#include "draw/chart/rose_figure.hpp"
 #include "draw/number_text.hpp"
 #include "draw/page_file.hpp"
 #include "draw/pen.hpp"

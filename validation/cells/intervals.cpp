@@ -42,31 +42,30 @@ class IntervalDrawing {
 
   void draw() {
     const double bottom = height(study_) - foot;
-    pen_.colour(draw::paper);
-    cairo_paint(cairo_);
+    pen_.clear();
     pen_.text("Deviation of each mean from its exact value", 24, 34, 21, draw::ink, 0,
               1);
     pen_.text(
         "in standard errors, with 95 % intervals; shaded: 95 % of all means; dashed: "
         "limit of the test",
         24, 60, 15, draw::muted, 0, 1);
-    pen_.colour(band);
     cairo_rectangle(cairo_, x(-1.96), head, x(1.96) - x(-1.96), bottom - head);
-    cairo_fill(cairo_);
+    pen_.fill(band);
     for (int z = static_cast<int>(-most_); z <= static_cast<int>(most_); ++z) {
-      line(x(z), head, x(z), bottom, z == 0 ? 1.6 : 1.0, z == 0 ? draw::muted : grid);
+      pen_.line(x(z), head, x(z), bottom, z == 0 ? 1.6 : 1.0,
+                z == 0 ? draw::muted : grid);
       pen_.text(fmt::format("{}", z), x(z), bottom + 11, 14, draw::ink, 0.5, 0);
     }
     pen_.dashes({6, 4});
     for (const double z : {-limit_, limit_})
-      line(x(z), head, x(z), bottom, 1.6, draw::muted);
+      pen_.line(x(z), head, x(z), bottom, 1.6, draw::muted);
     pen_.dashes({});
     pen_.text("z", (left + right) / 2, bottom + 38, 15, draw::ink, 0.5, 0);
     draw_legend();
     double y = head;
     for (std::size_t i = 0; i < study_.rows.size(); ++i) {
       if (is_first(study_, i)) {
-        line(24, y, right, y, 1.0, grid);
+        pen_.line(24, y, right, y, 1.0, grid);
         pen_.text(study_.cases[study_.rows[i].index].group, 24,
                   y + group_height / 2 + 3, 15, draw::ink, 0, 0.5);
         y += group_height;
@@ -74,7 +73,7 @@ class IntervalDrawing {
       draw_row(study_.rows[i], y + row_height / 2);
       y += row_height;
     }
-    line(24, y, right, y, 1.0, grid);
+    pen_.line(24, y, right, y, 1.0, grid);
   }
 
  private:
@@ -85,21 +84,15 @@ class IntervalDrawing {
     return i == 0 || group(i) != group(i - 1);
   }
   double x(double z) const { return left + (z + most_) / (2 * most_) * (right - left); }
-  void line(double x0, double y0, double x1, double y1, double width, const Colour& c) {
-    cairo_move_to(cairo_, x0, y0);
-    cairo_line_to(cairo_, x1, y1);
-    pen_.stroke(width, c);
-  }
   void dot(double at, double y, std::size_t set) {
     cairo_arc(cairo_, at, y, 4, 0, 2 * std::numbers::pi);
-    pen_.colour(colours[set]);
-    cairo_fill(cairo_);
+    pen_.fill(colours[set]);
   }
   void draw_legend() {
     constexpr std::array names = {"first seeds", "second seeds"};
     for (std::size_t set = 0; set < seed_sets; ++set) {
       const double at = left + 140.0 * static_cast<double>(set);
-      line(at, head - 20, at + 26, head - 20, 1.8, colours[set]);
+      pen_.line(at, head - 20, at + 26, head - 20, 1.8, colours[set]);
       dot(at + 13, head - 20, set);
       pen_.text(names[set], at + 34, head - 20, 14, draw::ink, 0, 0.5);
     }
@@ -112,7 +105,7 @@ class IntervalDrawing {
       const Estimate& one = row.estimates[set];
       const double at = y + (set == 0 ? -4.5 : 4.5), z = one.z(row.quantity.exact),
                    half = one.half_width(interval_level) / one.error;
-      line(x(z - half), at, x(z + half), at, 1.8, colours[set]);
+      pen_.line(x(z - half), at, x(z + half), at, 1.8, colours[set]);
       dot(x(z), at, set);
     }
   }

@@ -75,8 +75,7 @@ class NetworkDrawing {
         result_(result), axes_(axes) {}
 
   void draw() {
-    pen_.colour(draw::paper);
-    cairo_paint(cairo_);
+    pen_.clear();
     pen_.text(picture_.title, left, 34, 21, draw::ink, 0, 1);
     pen_.text(picture_.subtitle, left, 62, 15, draw::muted, 0, 1, page - 2 * left);
     for (const CutBlock& block : result_.blocks)
@@ -128,9 +127,8 @@ class NetworkDrawing {
     cairo_clip(cairo_);
     for (const JointSegment& joint : picture_.request.joints) {
       const Vec2 &a = joint.from.nearest(), &b = joint.to.nearest();
-      cairo_move_to(cairo_, axes_.x(a.x()), axes_.y(a.y()));
-      cairo_line_to(cairo_, axes_.x(b.x()), axes_.y(b.y()));
-      pen_.stroke(1.3, pruned);
+      pen_.line(axes_.x(a.x()), axes_.y(a.y()), axes_.x(b.x()), axes_.y(b.y()), 1.3,
+                pruned);
     }
     cairo_restore(cairo_);
   }
@@ -141,17 +139,13 @@ class NetworkDrawing {
     x += pen_.width(picture_.classes.title + ":", 14) + 16;
     for (std::size_t k = 0; k < picture_.classes.names.size(); ++k) {
       cairo_rectangle(cairo_, x, y - 8, 22, 16);
-      pen_.colour(picture_.classes.colour(k));
-      cairo_fill_preserve(cairo_);
-      pen_.stroke(1, draw::ink);
+      pen_.fill_and_stroke(picture_.classes.colour(k), 1, draw::ink);
       pen_.text(picture_.classes.names[k], x + 29, y, 14, draw::ink, 0, 0.5);
       x += 29 + pen_.width(picture_.classes.names[k], 14) + 18;
     }
     if (result_.report.pruned_edges == 0)
       return;
-    cairo_move_to(cairo_, x, y);
-    cairo_rel_line_to(cairo_, 26, 0);
-    pen_.stroke(2, pruned);
+    pen_.line(x, y, x + 26, y, 2, pruned);
     pen_.text("pruned", x + 33, y, 14, draw::ink, 0, 0.5);
   }
 

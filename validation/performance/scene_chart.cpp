@@ -73,8 +73,7 @@ class SceneDrawing {
   }
 
   void draw() {
-    pen_.colour(draw::paper);
-    cairo_paint(cairo_);
+    pen_.clear();
     pen_.text("Cost of a step, by scene and state", 24, 38, 21, draw::ink, 0, 1);
     pen_.text("one step of one block; Box2D: one of the eight iterations of a step", 24,
               64, 15, draw::muted, 0, 1);
@@ -112,23 +111,15 @@ class SceneDrawing {
 
   void draw_panel(double left, double right, const char* label) {
     cairo_rectangle(cairo_, left, head, right - left, bottom_ - head);
-    pen_.colour(draw::white);
-    cairo_fill_preserve(cairo_);
-    pen_.stroke(1, grid);
+    pen_.fill_and_stroke(draw::white, 1, grid);
     pen_.text(label, (left + right) / 2, bottom_ + 38, 14, draw::ink, 0.5, 0);
-  }
-
-  void line(double x0, double y0, double x1, double y1, double width, const Colour& c) {
-    cairo_move_to(cairo_, x0, y0);
-    cairo_line_to(cairo_, x1, y1);
-    pen_.stroke(width, c);
   }
 
   void draw_bar_ticks() {
     const auto ticks = draw::label_ticks(0.0, most_, 5);
     for (std::size_t i = 0; i < ticks.ticks.size(); ++i) {
       const double x = bar_x(ticks.ticks[i]);
-      line(x, head, x, bottom_, 1, grid);
+      pen_.line(x, head, x, bottom_, 1, grid);
       pen_.text(ticks.labels[i], x, bottom_ + 11, 14, draw::ink, 0.5, 0);
     }
   }
@@ -139,8 +130,8 @@ class SceneDrawing {
       if (ratio < least_ratio_ || ratio > most_ratio_)
         continue;
       const double x = mark_x(ratio);
-      line(x, head, x, bottom_, ratio == 1.0 ? 1.6 : 1,
-           ratio == 1.0 ? draw::muted : grid);
+      pen_.line(x, head, x, bottom_, ratio == 1.0 ? 1.6 : 1,
+                ratio == 1.0 ? draw::muted : grid);
       pen_.text(fmt::format("{:g}", ratio), x, bottom_ + 11, 14, draw::ink, 0.5, 0);
     }
   }
@@ -150,8 +141,7 @@ class SceneDrawing {
     double x = bars_left;
     for (const Phase& phase : phases) {
       cairo_rectangle(cairo_, x, y - 6, 12, 12);
-      pen_.colour(phase.colour);
-      cairo_fill(cairo_);
+      pen_.fill(phase.colour);
       pen_.text(phase.name, x + 18, y, 13, draw::ink, 0, 0.5);
       x += 94;
     }
@@ -172,15 +162,13 @@ class SceneDrawing {
       cairo_line_to(cairo_, x + radius * std::sin(angle), y - radius * std::cos(angle));
     }
     cairo_close_path(cairo_);
-    pen_.colour(other.colour);
-    cairo_fill_preserve(cairo_);
-    pen_.stroke(1, draw::white);
+    pen_.fill_and_stroke(other.colour, 1, draw::white);
   }
 
   void draw_row(const Row& row, double y) {
     const bool first = &row == rows_.front() || row.scene != scene_;
     if (first && &row != rows_.front())
-      line(24, y - row_height / 2, marks_right, y - row_height / 2, 1, grid);
+      pen_.line(24, y - row_height / 2, marks_right, y - row_height / 2, 1, grid);
     if (first)
       pen_.text(row.scene, 24, y, 14, draw::ink, 0, 0.5, 220);
     scene_ = row.scene;
@@ -189,8 +177,8 @@ class SceneDrawing {
     double at = y - 9;  // Ranges of different codes must not cover each other.
     for (const Other& other : others) {
       if (const Row* one = find(row, other)) {
-        line(mark_x(one->ratio->least), at, mark_x(one->ratio->most), at, 2.4,
-             other.colour);
+        pen_.line(mark_x(one->ratio->least), at, mark_x(one->ratio->most), at, 2.4,
+                  other.colour);
         draw_mark(other, mark_x(one->ratio->middle), at);
       }
       at += 6;
@@ -203,8 +191,7 @@ class SceneDrawing {
     for (const Phase& phase : phases) {
       const double to = from + (*row.phases).*phase.time;
       cairo_rectangle(cairo_, bar_x(from), y - 11, bar_x(to) - bar_x(from), 22);
-      pen_.colour(phase.colour);
-      cairo_fill(cairo_);
+      pen_.fill(phase.colour);
       from = to;
     }
     const std::string time = short_number(row.cost);
@@ -212,7 +199,7 @@ class SceneDrawing {
       pen_.text(time, bar_x(from) + 6, y, 13, draw::ink, 0, 0.5);
       return;
     }
-    line(bars_right - 66, y + 14, bars_right - 56, y - 14, 6, draw::white);
+    pen_.line(bars_right - 66, y + 14, bars_right - 56, y - 14, 6, draw::white);
     pen_.text(time, bars_right - 8, y, 13, draw::white, 1, 0.5);
   }
 

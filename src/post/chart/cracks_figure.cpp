@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "draw/chart/rose_layout.hpp"
+#include "draw/chart/rose_figure.hpp"
 #include "draw/number_text.hpp"
 
 namespace blocks::post {

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "draw/chart/rose_layout.hpp"
+#include "draw/chart/rose_figure.hpp"
 #include "draw/number_text.hpp"
 #include "post/chart/joint_statistics.hpp"
 

@@ -1,4 +1,4 @@
-#include "draw/chart/rose_layout.hpp"
+#include "draw/chart/rose_figure.hpp"
 
 #include <algorithm>
 #include <stdexcept>
