@@ -31,16 +31,10 @@ constexpr const char* sweep_parameter = "sweep";
 constexpr const char* variant_parameter = "variant";
 
 State state_of(int code) {
-  switch (code) {
-  case run::done:
-    return State::done;
-  case run::unsound_run:
-    return State::unsound;
-  case run::time_limit:
-    return State::time_limit;
-  default:
-    return State::failed;
-  }
+  return code == run::done          ? State::done
+         : code == run::unsound_run ? State::unsound
+         : code == run::time_limit  ? State::time_limit
+                                    : State::failed;
 }
 
 /// Returns the ends of the profile [L]: of the line, or of the blocks at the surface.
@@ -87,46 +81,37 @@ class Collector {
   }
 
  private:
-  /// Returns the factor that converts a measured value of a sweep to the units of the
-  /// report.
-  double scale_of(std::size_t member, const quantities::Dimension& dimension) const {
-    const auto& own = preview_.own_units[member];
-    return own && all_.units && !(*own == *all_.units)
-               ? post::UnitScale::between(*own, *all_.units).of(dimension)
-               : 1.0;
+  /// Returns the measures of a report for which the user names none.
+  std::vector<std::string> default_measures() const {
+    if (all_.kind() != sweep::Kind::run)
+      return usual_names(preview_.outcome_names, all_.kind() == sweep::Kind::study);
+    std::vector<std::string> names, recorded;
+    if (all_.profile)
+      names.emplace_back(all_.profile->quantity == "dy" ? "profile:min"
+                                                        : "profile:max");
+    names.insert(names.end(), std::begin(safety_measures), std::end(safety_measures));
+    if (!preview_.first_results.empty() && !request_.reading.frames)
+      for (const auto& curve :
+           post::recorded_curves(post::ResultsReader(preview_.first_results)))
+        recorded.push_back(curve.name());
+    if (recorded.empty())
+      recorded.assign(std::begin(usual_measures), std::end(usual_measures));
+    names.insert(names.end(), recorded.begin(), recorded.end());
+    return names;
   }
 
   void choose_measures() {
-    const sweep::Kind kind = all_.kind();
-    std::vector<std::string> names = request_.measures;
-    std::vector<std::string> recorded;
-    if (!preview_.first_results.empty()) {
+    const bool runs = all_.kind() == sweep::Kind::run;
+    if (!preview_.first_results.empty())
       set_profile();
-      if (names.empty() && !request_.reading.frames)
-        for (const auto& curve :
-             post::recorded_curves(post::ResultsReader(preview_.first_results)))
-          recorded.push_back(curve.name());
-    }
-    if (names.empty()) {
-      if (all_.profile)
-        names.emplace_back(all_.profile->quantity == "dy" ? "profile:min"
-                                                          : "profile:max");
-      if (kind == sweep::Kind::run)
-        names.insert(names.end(), std::begin(safety_measures),
-                     std::end(safety_measures));
-      if (kind != sweep::Kind::run)
-        names = usual_names(preview_.outcome_names, kind == sweep::Kind::study);
-      else if (!recorded.empty())
-        names.insert(names.end(), recorded.begin(), recorded.end());
-      else
-        names.insert(names.end(), std::begin(usual_measures), std::end(usual_measures));
-    }
+    const std::vector<std::string> names =
+        request_.measures.empty() ? default_measures() : request_.measures;
     std::set<std::string> outcome_names = preview_.outcome_names;
-    if (kind == sweep::Kind::run)
+    if (runs)
       outcome_names.insert(safety_names().begin(), safety_names().end());
     for (const std::string& name : names) {
       Column column;
-      column.measure = parse_measure(name, outcome_names, kind != sweep::Kind::run);
+      column.measure = parse_measure(name, outcome_names, !runs);
       if (column.measure.from == Measure::From::profile && !all_.profile &&
           !preview_.first_results.empty())
         throw std::runtime_error(fmt::format(
@@ -147,7 +132,10 @@ class Collector {
         const MeasureLabel label = label_of_outcome(measures_[i].key);
         set_label(i, label);
         for (std::size_t m = 0; m < all_.members.size(); ++m)
-          scales_[m][i] = scale_of(m, label.dimension);
+          if (const auto& own = preview_.own_units[m];
+              own && all_.units && !(*own == *all_.units))
+            scales_[m][i] =
+                post::UnitScale::between(*own, *all_.units).of(label.dimension);
       }
   }
 
@@ -273,11 +261,11 @@ class Collector {
       read_results(path, row);
       return;
     }
-    const bool needed =
-        std::any_of(measures_.begin(), measures_.end(), [](const Measure& measure) {
-          return measure.from != Measure::From::outcome;
-        });
-    if (row.state != State::done || !needed)
+    const auto needs_results = [](const Measure& measure) {
+      return measure.from != Measure::From::outcome;
+    };
+    if (row.state != State::done ||
+        std::none_of(measures_.begin(), measures_.end(), needs_results))
       return;
     row.state = State::failed;
     row.status = status;
