@@ -48,9 +48,9 @@ std::vector<Include> includes() {
 /// headers outside the project.
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
-      "geometry", "deck",  "model",  "dynamics", "exchange", "quantities",
-      "output",   "draw",  "post",   "run",      "study",    "audit",
-      "library",  "sweep", "report", "python",   "apps",     "joints"};
+      "geometry", "deck",   "model", "dynamics", "exchange", "quantities", "output",
+      "draw",     "post",   "run",   "study",    "audit",    "library",    "sweep",
+      "report",   "python", "apps",  "joints",   "text"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
@@ -106,7 +106,8 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "run/support",
                                             "run/watch",
                                             "study",
-                                            "sweep"}));
+                                            "sweep",
+                                            "text"}));
 }
 
 // CGAL compiles slowly and changes rounding flags.
@@ -135,9 +136,10 @@ TEST(Architecture, OnlyGeometryIncludesItsExactPart) {
 TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
   const std::map<std::string, std::set<std::string>> may = {
       {"geometry", {"geometry"}},
+      {"text", {"text"}},
       {"deck", {"deck", "geometry"}},
       {"exchange", {"exchange", "geometry"}},
-      {"joints", {"joints", "draw", "geometry"}},
+      {"joints", {"joints", "draw", "text", "geometry"}},
       {"model", {"model", "geometry"}},
       {"dynamics", {"dynamics", "model", "geometry"}},
       {"audit", {"audit", "model", "geometry"}},
@@ -145,14 +147,15 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"output", {"output", "quantities", "model", "geometry"}},
       {"draw", {"draw", "output"}},
       {"post", {"post", "draw", "output", "quantities", "geometry"}},
-      {"study", {"study", "dynamics", "draw", "model", "geometry"}},
+      {"study", {"study", "dynamics", "draw", "text", "model", "geometry"}},
       {"run",
        {"run", "deck", "dynamics", "audit", "exchange", "quantities", "output", "model",
         "geometry"}},
       {"sweep",
        {"sweep", "study", "run", "deck", "output", "quantities", "model", "geometry"}},
       {"report",
-       {"report", "sweep", "post", "draw", "run", "quantities", "output", "deck"}},
+       {"report", "sweep", "post", "draw", "run", "quantities", "output", "text",
+        "deck"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
       {"python",

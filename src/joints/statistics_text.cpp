@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "joints/statistics.hpp"
+#include "text/table.hpp"
 
 namespace blocks::joints {
 namespace {
@@ -29,33 +30,17 @@ class Table {
   template <class Cell> void row(const std::string& label, const Cell& cell) {
     std::vector<std::string> cells = {"  " + label};
     for (const MapStatistics& map : maps_)
-      cells.push_back(text(cell(map)));
+      cells.push_back(words(cell(map)));
     rows_.push_back(std::move(cells));
   }
 
-  std::string str() const {
-    std::vector<std::size_t> widths(maps_.size() + 1, 0);
-    for (const auto& cells : rows_)
-      if (cells.size() > 1)
-        for (std::size_t i = 0; i < cells.size(); ++i)
-          widths[i] = std::max(widths[i], cells[i].size());
-    std::string all;
-    for (const auto& cells : rows_) {
-      std::string line;
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        line += cells.size() == 1 ? cells[i]
-                : i == 0          ? fmt::format("{:<{}}", cells[i], widths[i])
-                                  : fmt::format("  {:>{}}", cells[i], widths[i]);
-      all += line + '\n';
-    }
-    return all;
-  }
+  std::string str() const { return text::aligned(rows_, 1); }
 
  private:
-  static std::string text(const std::string& words) { return words; }
-  static std::string text(double value) { return number(value); }
-  static std::string text(std::size_t count) { return fmt::format("{}", count); }
-  static std::string text(const Estimate& one) { return with_interval(one); }
+  static std::string words(const std::string& text) { return text; }
+  static std::string words(double value) { return number(value); }
+  static std::string words(std::size_t count) { return fmt::format("{}", count); }
+  static std::string words(const Estimate& one) { return with_interval(one); }
 
   const std::vector<MapStatistics>& maps_;
   std::vector<std::vector<std::string>> rows_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "report/table_cells.hpp"
+#include "text/table.hpp"
 
 namespace blocks::report {
 namespace {
@@ -70,14 +71,14 @@ std::string sensitivity_text(const Ensemble& ensemble,
           fmt::format("\n{}{}Sobol indices of {}, {}\n", name, name.empty() ? "" : ": ",
                       ensemble.columns[c].measure.name, rows_words(indices));
       std::vector<std::vector<std::string>> rows = {
-          {"", "first order", "95 % interval", "total", "95 % interval"}};
+          {"  ", "first order", "95 % interval", "total", "95 % interval"}};
       for (std::size_t i = 0; i < one.parameters.size(); ++i) {
         const SobolIndex& index = indices.parameters[i];
-        rows.push_back({one.parameters[i], short_number(index.first),
+        rows.push_back({"  " + one.parameters[i], short_number(index.first),
                         short_interval(index.first_interval), short_number(index.total),
                         short_interval(index.total_interval)});
       }
-      text += aligned(rows);
+      text += text::aligned(rows, 1);
     }
   }
   return text;

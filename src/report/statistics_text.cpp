@@ -5,6 +5,7 @@
 
 #include "report/table_cells.hpp"
 #include "report/tables.hpp"
+#include "text/table.hpp"
 
 namespace blocks::report {
 
@@ -20,13 +21,14 @@ std::string statistics_text(const Ensemble& ensemble, const Analysis& analysis) 
     if (group.failure.total() > 0)
       text += failure_words(group.failure) + '\n';
     std::vector<std::vector<std::string>> rows = {
-        {"", "unit", "n", "mean", "95 % interval", "sd", "5 %", "median", "95 %",
+        {"  ", "unit", "n", "mean", "95 % interval", "sd", "5 %", "median", "95 %",
          "runs for " + analysis.precision.words()}};
     for (std::size_t c = 0; c < ensemble.columns.size(); ++c) {
       const Column& column = ensemble.columns[c];
       const ColumnStatistics& s = group.columns[c];
-      rows.push_back({column.measure.name, column.unit, std::to_string(s.summary.n),
-                      short_number(s.summary.mean), short_interval(s.interval)});
+      rows.push_back({"  " + column.measure.name, column.unit,
+                      std::to_string(s.summary.n), short_number(s.summary.mean),
+                      short_interval(s.interval)});
       if (column.is_share)
         rows.back().insert(rows.back().end(), {"", "", "", "", ""});
       else
@@ -37,7 +39,7 @@ std::string statistics_text(const Ensemble& ensemble, const Analysis& analysis) 
                             short_number(s.summary.high.value),
                             s.needed ? std::to_string(*s.needed) : "-"});
     }
-    text += aligned(rows);
+    text += text::aligned(rows, 1);
   }
   if (ensemble.groups.size() > most_groups)
     text += fmt::format("\nand {} more groups, which -o table.csv lists\n",

@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "report/table_cells.hpp"
+#include "text/table.hpp"
 
 namespace blocks::report {
 namespace {
+
+using text::csv_cell;
 
 std::string seed_cell(const Ensemble& ensemble, std::size_t row) {
   const auto& seed = ensemble.rows[row].seed;
@@ -44,12 +47,12 @@ std::string quantity_row(const Ensemble& ensemble, const Column& column,
                          const ColumnStatistics& found) {
   const Summary& s = found.summary;
   const double hits = s.mean * static_cast<double>(s.n);
-  std::string line =
-      fmt::format("quantity,{},{},{},{},{},{},{},{},{},{}", quoted(column.measure.name),
-                  quoted(column.unit), s.n, found.missing,
-                  column.is_share && s.n > 0 ? std::to_string(std::lround(hits)) : "",
-                  cell(s.mean), cell(found.interval.low), cell(found.interval.high),
-                  column.is_share ? "wilson" : "t", cell(s.standard_deviation));
+  std::string line = fmt::format(
+      "quantity,{},{},{},{},{},{},{},{},{},{}", csv_cell(column.measure.name),
+      csv_cell(column.unit), s.n, found.missing,
+      column.is_share && s.n > 0 ? std::to_string(std::lround(hits)) : "", cell(s.mean),
+      cell(found.interval.low), cell(found.interval.high),
+      column.is_share ? "wilson" : "t", cell(s.standard_deviation));
   if (column.is_share) {
     line += std::string(15, ',');
   } else {
@@ -66,12 +69,12 @@ std::string quantity_row(const Ensemble& ensemble, const Column& column,
 std::string difference_row(const Ensemble& ensemble, const Column& column,
                            const Summary& s, std::size_t reference) {
   std::string line =
-      fmt::format("difference,{},{},{},,,{},{},{},t,{}", quoted(column.measure.name),
-                  quoted(column.unit), s.n, cell(s.mean), cell(s.mean_interval.low),
+      fmt::format("difference,{},{},{},,,{},{},{},t,{}", csv_cell(column.measure.name),
+                  csv_cell(column.unit), s.n, cell(s.mean), cell(s.mean_interval.low),
                   cell(s.mean_interval.high), cell(s.standard_deviation));
   add_quantiles(line, s);
   return line + fmt::format(",{},,{},,,{}\n", cell(s.least), cell(s.most),
-                            quoted(ensemble.name_of(ensemble.groups[reference])));
+                            csv_cell(ensemble.name_of(ensemble.groups[reference])));
 }
 
 /// A row for one index of a parameter, which is in the column `reference`.
@@ -79,9 +82,9 @@ std::string index_row(const char* kind, const Column& column,
                       const SobolIndices& indices, double value,
                       const Interval& interval, const std::string& parameter) {
   return fmt::format("{},{},,{},{},,{},{},{},bootstrap", kind,
-                     quoted(column.measure.name), indices.rows, indices.left_out,
+                     csv_cell(column.measure.name), indices.rows, indices.left_out,
                      cell(value), cell(interval.low), cell(interval.high)) +
-         std::string(16, ',') + quoted(parameter) + '\n';
+         std::string(16, ',') + csv_cell(parameter) + '\n';
 }
 
 /// Returns the rows of a sweep; each begins with the cells of its group.
@@ -103,7 +106,7 @@ std::string index_rows(const Ensemble& ensemble, const Sensitivity& all,
 std::string parameter_cells(const Group& group) {
   std::string cells;
   for (const std::string& value : group.values)
-    cells += quoted(value) + ',';
+    cells += csv_cell(value) + ',';
   return cells;
 }
 
@@ -112,7 +115,7 @@ std::string parameter_cells(const Group& group) {
 std::string statistics_csv(const Ensemble& ensemble, const Analysis& analysis) {
   std::string text;
   for (const std::string& parameter : ensemble.parameters)
-    text += quoted(parameter) + ',';
+    text += csv_cell(parameter) + ',';
   text += statistics_head;
   for (std::size_t g = 0; g < ensemble.groups.size(); ++g) {
     const std::string begin = parameter_cells(ensemble.groups[g]);
@@ -138,23 +141,24 @@ std::string runs_csv(const Ensemble& ensemble) {
                                  "sweep") == ensemble.parameters.end();
   std::string text = several ? "sweep,run," : "run,";
   for (const std::string& parameter : ensemble.parameters)
-    text += quoted(parameter) + ',';
+    text += csv_cell(parameter) + ',';
   for (const std::string& field : ensemble.sampled)
-    text += quoted(field) + ',';
+    text += csv_cell(field) + ',';
   text += "seed,outcome,code,status,message";
   for (const Column& column : ensemble.columns)
-    text += ',' + quoted(column.measure.name);
+    text += ',' + csv_cell(column.measure.name);
   text += '\n';
   for (const RunRow& row : ensemble.rows) {
     if (several)
-      text += quoted(ensemble.members[row.member].label) + ',';
+      text += csv_cell(ensemble.members[row.member].label) + ',';
     text += std::to_string(row.id) + ',';
     text += parameter_cells(ensemble.groups[row.group]);
     for (const std::string& value : ensemble.sampled_values(row))
-      text += quoted(value) + ',';
-    text += fmt::format("{},{},{},{},{}", row.seed ? std::to_string(*row.seed) : "",
-                        name_of(row.state), row.code ? std::to_string(*row.code) : "",
-                        quoted(row.status), quoted(portable_message(ensemble, row)));
+      text += csv_cell(value) + ',';
+    text +=
+        fmt::format("{},{},{},{},{}", row.seed ? std::to_string(*row.seed) : "",
+                    name_of(row.state), row.code ? std::to_string(*row.code) : "",
+                    csv_cell(row.status), csv_cell(portable_message(ensemble, row)));
     for (const double value : row.values)
       text += ',' + cell(value);
     text += '\n';

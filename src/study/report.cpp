@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "text/table.hpp"
+
 namespace blocks::study {
 namespace {
 
@@ -85,29 +87,6 @@ std::string frames_line(const char* what, const std::vector<int>& frames,
                             frames.size() > 10 ? " ..." : "", frames.front(), again);
 }
 
-/// The number of characters of a UTF-8 text, in which ± has two bytes.
-std::size_t width(const std::string& s) {
-  return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
-/// Aligns rows of cells in columns that are as narrow as possible.
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], width(row[i]));
-  std::string out;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += row[i] + std::string(widths[i] + 2 - width(row[i]), ' ');
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-  }
-  return out;
-}
-
 std::string text_of(const Reason& reason) {
   return fmt::format("frame {} ({}), {}", reason.frame, reason.kind, reason.why);
 }
@@ -128,21 +107,11 @@ std::string reasons_and_kinds(const Row& row) {
     table.push_back({kind.kind, fmt::format("{}", kind.frames),
                      fmt::format("{}", kind.failed), fmt::format("{}", kind.hung),
                      fmt::format("{}", kind.fell), fmt::format("{}", kind.deep)});
-  return out + '\n' + aligned(table);
+  return out + '\n' + text::aligned(table, table[0].size());
 }
 
 std::string number(double x) {
   return std::isfinite(x) ? fmt::format("{:.6g}", x) : "";
-}
-
-/// A field of a CSV file, in quotes if necessary (RFC 4180).
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 std::string cell(const Estimate& e) {
@@ -249,7 +218,7 @@ std::string text(const Study& study) {
                        study.expected.empty()
                            ? std::string()
                            : "; expected motion: the run of " + study.expected) +
-           aligned(table);
+           text::aligned(table, table[0].size());
   return out + notes;
 }
 
@@ -264,8 +233,8 @@ std::string csv(const std::vector<Study>& studies) {
   }
   for (const Study& study : studies)
     for (const Row& row : study.rows) {
-      out += fmt::format("\n{},{},{},{}", field(study.scene), row.variant->name,
-                         row.frames, study.steps);
+      out += fmt::format("\n{},{},{},{}", text::csv_cell(study.scene),
+                         row.variant->name, row.frames, study.steps);
       for (const Measured& one : measures) {
         const Estimate& estimate = row.*one.estimate;
         if (one.count != nullptr)  // empty if it could not happen
