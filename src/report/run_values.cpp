@@ -146,32 +146,22 @@ RunValues RunReader::read(const std::vector<Measure>& measures,
   if (!frames_)
     for (const post::Curve& curve : post::recorded_curves(results_))
       recorded.insert(curve.name());
-  // Curves that need the same frames are read at once.
-  std::vector<std::vector<std::size_t>> batches(3);
+  // Curves of the same source are read at once.
+  std::vector<std::size_t> from_history, from_frames;
   for (std::size_t i = 0; i < measures.size(); ++i)
-    if (measures[i].from == Measure::From::curve) {
-      const bool few = frames_for(measures[i], results_.times()).has_value() &&
-                       measures[i].when == When::end;
-      batches[recorded.contains(measures[i].curve.name()) ? 0
-              : few                                       ? 1
-                                                          : 2]
+    if (measures[i].from == Measure::From::curve)
+      (recorded.contains(measures[i].curve.name()) ? from_history : from_frames)
           .push_back(i);
-    }
-  // All frames are read anyway if some measure needs them.
-  if (!batches[2].empty()) {
-    batches[2].insert(batches[2].begin(), batches[1].begin(), batches[1].end());
-    batches[1].clear();
-  }
-  for (std::size_t b = 0; b < batches.size(); ++b) {
-    if (batches[b].empty())
-      continue;
+  for (const auto* wanted : {&from_history, &from_frames}) {
+    const bool frames = wanted == &from_frames;
     try {
-      read_curves(measures, batches[b], b > 0, values);
+      if (!wanted->empty())
+        read_curves(measures, *wanted, frames, values);
     } catch (const std::runtime_error&) {
       // One of the curves does not exist in this run; find out which.
-      for (const std::size_t i : batches[b])
+      for (const std::size_t i : *wanted)
         try {
-          read_curves(measures, {i}, b > 0, values);
+          read_curves(measures, {i}, frames, values);
         } catch (const std::runtime_error& fault) {
           values.faults[i] = fault.what();
         }
