@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "run/support/shell_word.hpp"
 #include "sweep/slurm_engine.hpp"
 #include "sweep/status.hpp"
+#include "text/number.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -28,17 +28,15 @@ namespace fs = std::filesystem;
 sweep::Range range_of(const std::string& text, std::size_t all) {
   if (text.empty())
     return {1, all};
-  sweep::Range range{};
-  const char* const end = text.data() + text.size();
-  auto read = std::from_chars(text.data(), end, range.first);
-  range.last = range.first;
-  if (read.ec == std::errc() && read.ptr != end && *read.ptr == '-')
-    read = std::from_chars(read.ptr + 1, end, range.last);
-  if (read.ec != std::errc() || read.ptr != end || range.first < 1 ||
-      range.last < range.first || range.last > all)
+  const auto dash = text.find('-');
+  const auto first = text::number_of<std::size_t>(text.substr(0, dash));
+  const auto last = dash == std::string::npos
+                        ? first
+                        : text::number_of<std::size_t>(text.substr(dash + 1));
+  if (!first || !last || *first < 1 || *last < *first || *last > all)
     throw std::runtime_error(fmt::format(
         "--runs: expected runs from 1 to {}, such as 1-10, found '{}'", all, text));
-  return range;
+  return {*first, *last};
 }
 
 std::string default_folder(const std::string& deck) {

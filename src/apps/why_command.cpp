@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include "audit/make_exact_rule.hpp"
 #include "option_text.hpp"
 #include "run/run.hpp"
+#include "text/number.hpp"
 #include "why_report.hpp"
 
 namespace blocks::apps {
@@ -95,21 +95,13 @@ bool within(const WhyScene& scene, double time) {
   return *first - grace <= time && time <= *last + grace;
 }
 
-/// Converts the text; returns nothing unless all of it is a number of this type.
-template <class Number> std::optional<Number> number_of(const std::string& text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [rest, fault] = std::from_chars(text.data(), end, value);
-  return fault == std::errc() && rest == end ? std::optional(value) : std::nullopt;
-}
-
 /// Reports that the block does not exist, which blocks do, and when it will.
 int refuse_block(const WhyOptions& options, const WhyScene& scene,
                  const std::string& name) {
   const int count = scene.blocks.size();
   const std::string there = count == 0 ? "it has no blocks at that time"
                                        : fmt::format("its blocks are 1 to {}", count);
-  const std::optional<int> block = number_of<int>(name);
+  const std::optional<int> block = text::number_of<int>(name);
   if (!block)
     return refuse(
         fmt::format("'{}' is not the number of a block of {}", name, options.file),
@@ -127,7 +119,7 @@ int refuse_block(const WhyOptions& options, const WhyScene& scene,
 
 int why(const WhyOptions& options) {
   const std::optional<double> time =
-      options.time ? number_of<double>(*options.time) : std::optional<double>();
+      options.time ? text::number_of<double>(*options.time) : std::optional<double>();
   const WhyScene scene = read_scene(options.file, time);
   if (options.time && !(time && within(scene, *time)))
     return refuse(time ? fmt::format("time {:g} is outside of {}", *time, options.file)
@@ -136,7 +128,7 @@ int why(const WhyOptions& options) {
   const Blocks& blocks = scene.blocks;
   std::vector<int> chosen;
   for (const std::string& name : options.blocks) {
-    const std::optional<int> block = number_of<int>(name);
+    const std::optional<int> block = text::number_of<int>(name);
     if (!block || *block < 1 || *block > blocks.size())
       return refuse_block(options, scene, name);
     if (blocks.is_removed(*block - 1))

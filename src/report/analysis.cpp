@@ -1,10 +1,11 @@
 #include "report/analysis.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
+
+#include "text/number.hpp"
 
 namespace blocks::report {
 namespace {
@@ -38,13 +39,10 @@ std::optional<std::size_t> compared_parameter(const Ensemble& ensemble) {
 std::vector<double> axis_numbers(const Ensemble& ensemble, std::size_t parameter) {
   std::vector<double> numbers;
   for (const Group& group : ensemble.groups) {
-    const std::string& text = group.values[parameter];
-    const char* end = text.data() + text.size();
-    double value = 0.0;
-    const auto read = std::from_chars(text.data(), end, value);
-    if (text.empty() || read.ec != std::errc() || read.ptr != end)
+    const auto value = text::number_of<double>(group.values[parameter]);
+    if (!value)
       return {};
-    numbers.push_back(value);
+    numbers.push_back(*value);
   }
   return numbers;
 }

@@ -2,22 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
 #include "report/factor_of_safety.hpp"
+#include "text/number.hpp"
 
 namespace blocks::report {
 namespace {
 
 using When = Measure::When;
-
-bool read_number(const std::string& text, double& value) {
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  return read.ec == std::errc() && read.ptr == end && std::isfinite(value);
-}
 
 /// Takes "<LIMIT" or ">LIMIT" from the end of the text. The name of a material may have
 /// these characters.
@@ -25,15 +19,15 @@ std::optional<Measure::Limit> take_limit(std::string& text) {
   const auto at = text.find_last_of("<>");
   if (at == std::string::npos)
     return std::nullopt;
-  Measure::Limit limit{text[at] == '>', 0.0};
-  const bool is_limit = read_number(text.substr(at + 1), limit.value);
-  if (!is_limit && text.find(":material=") < at)
+  const auto value = text::number_of<double>(text.substr(at + 1));
+  if (!value && text.find(":material=") < at)
     return std::nullopt;
-  if (!is_limit)
+  if (!value)
     throw std::runtime_error(fmt::format(
         "'{}' needs a number after {}\n  hint: dy:min<-1 asks for the share "
         "of the runs in which dy:min is below -1",
         text, text[at]));
+  const Measure::Limit limit{text[at] == '>', *value};
   text.erase(at);
   return limit;
 }
@@ -48,8 +42,8 @@ void take_moment(std::string& text, Measure& measure) {
     measure.when = When::largest;
   else if (moment == "min")
     measure.when = When::smallest;
-  else if (read_number(moment, measure.time))
-    measure.when = When::time;
+  else if (const auto time = text::number_of<double>(moment))
+    measure.when = When::time, measure.time = *time;
   else if (moment != "end")
     throw std::runtime_error(
         fmt::format("cannot read the time in '{}'\n  hint: {}@0.5 is the value at that "

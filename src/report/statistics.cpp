@@ -6,9 +6,10 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
+
+#include "text/number.hpp"
 
 namespace blocks::report {
 namespace {
@@ -135,10 +136,8 @@ Precision Precision::parse(const std::string& text) {
     number.pop_back();
   while (number.ends_with(' '))
     number.pop_back();
-  const char* end = number.data() + number.size();
-  const auto read = std::from_chars(number.data(), end, precision.half_width);
-  if (read.ec != std::errc() || read.ptr != end ||
-      !std::isfinite(precision.half_width) || precision.half_width <= 0.0)
+  precision.half_width = text::number_of<double>(number).value_or(0.0);
+  if (precision.half_width <= 0.0)
     throw std::runtime_error("a precision is a number above 0, such as 0.01, or a part "
                              "of the mean, such as 5%, found '" +
                              text + "'");

@@ -3,22 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
+
+#include "text/number.hpp"
 
 namespace blocks::sweep {
 namespace {
 
 std::uint64_t parse_seed(const std::string& text) {
   const std::string word = trimmed(text);
-  std::uint64_t seed = 0;
-  const auto [end, fault] =
-      std::from_chars(word.data(), word.data() + word.size(), seed);
-  if (fault != std::errc() || end != word.data() + word.size() || seed > largest_seed)
+  const auto seed = text::number_of<std::uint64_t>(word);
+  if (!seed || *seed > largest_seed)
     throw AxisFault(fmt::format("a seed is a whole number from 0 to {}, found '{}'",
                                 largest_seed, word),
                     "write seeds as 1-200 or 1,5,9");
-  return seed;
+  return *seed;
 }
 
 [[noreturn]] void refuse_number_of_runs() {
@@ -45,14 +44,10 @@ std::vector<std::string> split(const std::string& text) {
 
 /// Whether two values are the same text, or the same number: .3 and 0.30.
 bool is_same_value(const std::string& a, const std::string& b) {
-  double x = 0.0, y = 0.0;
-  const auto is_number = [](const std::string& text, double& number) {
-    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(begin, end, number);
-    return read.ec == std::errc() && read.ptr == end;
+  const auto number = [](const std::string& text) {
+    return text::number_of<double>(text.substr(text.starts_with('+') ? 1 : 0));
   };
-  return a == b || (is_number(a, x) && is_number(b, y) && x == y);
+  return a == b || (number(a) && number(a) == number(b));
 }
 
 /// The rows of a CSV text: fields in double quotes may have commas and line ends.

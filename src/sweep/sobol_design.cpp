@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>
-#include <charconv>
 #include <cmath>
 #include <random>
+
+#include "text/number.hpp"
 
 namespace blocks::sweep {
 namespace {
@@ -15,23 +16,19 @@ constexpr const char* sobol_hint =
     "for example --sobol FRICTN.fric=0.3..0.6,STIFF.stifn=1e8..1e9; 'blocks cards "
     "--set DECK' lists the fields of a deck";
 
-bool read_end(std::string text, double& value) {
-  const auto begin = text.find_first_not_of(" \t+");
-  text.erase(0, std::min(begin, text.size()));
-  text.erase(text.find_last_not_of(" \t") + 1);
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  return read.ec == std::errc() && read.ptr == end && std::isfinite(value);
+/// Returns the end of a range; nothing if the text is no number.
+std::optional<double> end_of(const std::string& text) {
+  const std::string word = trimmed(text);
+  return text::number_of<double>(word.substr(word.starts_with('+') ? 1 : 0));
 }
 
 /// Reads "low..high" in every way in which both ends are numbers: 1...5 has two.
 std::vector<SobolRange> readings(const std::string& text) {
   std::vector<SobolRange> found;
   for (auto at = text.find(".."); at != text.npos; at = text.find("..", at + 1)) {
-    SobolRange range;
-    if (read_end(text.substr(0, at), range.low) &&
-        read_end(text.substr(at + 2), range.high))
-      found.push_back(range);
+    const auto low = end_of(text.substr(0, at)), high = end_of(text.substr(at + 2));
+    if (low && high)
+      found.push_back({{}, *low, *high});
   }
   return found;
 }
