@@ -2,7 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace blocks::report {
+
+std::size_t Ensemble::main_column() const {
+  const auto found =
+      std::find_if(columns.begin(), columns.end(),
+                   [](const Column& column) { return !column.is_share; });
+  return found == columns.end() ? 0 : static_cast<std::size_t>(found - columns.begin());
+}
 
 std::vector<double> Ensemble::sample(std::size_t group, std::size_t column) const {
   std::vector<double> values;

@@ -80,6 +80,8 @@ struct Ensemble {
   std::vector<double> positions;  ///< (profile_positions) [L], or empty
 
   sweep::Kind kind() const { return members.front().plan.kind; }
+  /// Returns the first measure that is not a share, or 0.
+  std::size_t main_column() const;
   /// Returns whether the statistics count the run: it is done and in the sample.
   bool counts(const RunRow& row) const {
     return row.state == State::done && row.in_sample;

@@ -143,13 +143,9 @@ std::string PageWriter::facts() const {
 
 std::vector<std::size_t> typical_runs(const Ensemble& ensemble,
                                       const Analysis& analysis) {
-  std::size_t column = 0;
-  while (column < ensemble.columns.size() && ensemble.columns[column].is_share)
-    ++column;
-  column = column < ensemble.columns.size() ? column : 0;
   std::vector<std::size_t> rows;
   for (std::size_t g = 0; g < ensemble.groups.size() && !ensemble.columns.empty(); ++g)
-    if (const auto row = median_run(ensemble, analysis, g, column))
+    if (const auto row = median_run(ensemble, analysis, g, ensemble.main_column()))
       rows.push_back(*row);
   return rows;
 }

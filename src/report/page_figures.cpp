@@ -68,7 +68,7 @@ std::string PageWriter::typical_figure(std::size_t r) {
   } catch (const std::runtime_error&) {
     return {};  // the results are damaged; the table of runs says so
   }
-  const std::size_t c = main_column();
+  const std::size_t c = all_.main_column();
   const std::string name = all_.name_of(all_.groups[row.group]);
   const std::string unit = escaped(all_.columns[c].unit);
   const Summary& summary = analysis_.groups[row.group].columns[c].summary;

@@ -30,10 +30,10 @@ std::string PageWriter::column_caption(std::size_t c) const {
 }
 
 std::optional<std::size_t> PageWriter::parameter_index(const std::string& name) const {
-  for (std::size_t p = 0; p < all_.parameters.size(); ++p)
-    if (all_.parameters[p] == name)
-      return p;
-  return std::nullopt;
+  const auto& all = all_.parameters;
+  const auto found = std::find(all.begin(), all.end(), name);
+  return found == all.end() ? std::nullopt
+                            : std::optional<std::size_t>(found - all.begin());
 }
 
 const char* PageWriter::seed_word() const {
@@ -58,13 +58,6 @@ std::string PageWriter::link_to(const std::string& file) const {
       std::filesystem::absolute(options_.folder).lexically_normal();
   const std::filesystem::path to = std::filesystem::absolute(file).lexically_normal();
   return url_of(to.lexically_relative(from).generic_string());
-}
-
-std::size_t PageWriter::main_column() const {
-  for (std::size_t c = 0; c < all_.columns.size(); ++c)
-    if (!all_.columns[c].is_share)
-      return c;
-  return 0;
 }
 
 }  // namespace blocks::report

@@ -99,8 +99,6 @@ class PageWriter {
   /// Returns the words as a link to the page of a run, if it has one.
   std::string run_link(std::size_t row, const std::string& words) const;
   std::string link_to(const std::string& file) const;
-  /// Returns the first measure that is not a share, or 0.
-  std::size_t main_column() const;
 
   const Ensemble& all_;
   const Analysis& analysis_;

@@ -32,11 +32,13 @@ std::string ranges(const std::set<std::uint64_t>& numbers) {
   return text;
 }
 
-void replace_all(std::string& text, const std::string& old, const std::string& now) {
-  if (old.empty())
-    return;
-  for (auto at = text.find(old); at != text.npos; at = text.find(old, at + now.size()))
-    text.replace(at, old.size(), now);
+void remove_all(std::string& text, const std::string& part) {
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at))
+    text.erase(at, part.size());
+}
+
+std::string absolute(const std::string& path) {
+  return fs::absolute(path).lexically_normal().string();
 }
 
 std::string counted(const std::map<State, std::size_t>& counts) {
@@ -52,17 +54,11 @@ std::string counted(const std::map<State, std::size_t>& counts) {
 std::string portable_message(const Ensemble& ensemble, const RunRow& row) {
   std::string message = row.message;
   const Member& member = ensemble.members[row.member];
-  const std::string folder = fs::absolute(member.folder).lexically_normal().string();
-  replace_all(message, ensemble.folder_of(row) + "/", "");
-  replace_all(message,
-              (fs::path(folder) /
-               fs::path(ensemble.folder_of(row)).lexically_relative(member.folder))
-                      .string() +
-                  "/",
-              "");
-  replace_all(message, folder + (folder.ends_with('/') ? "" : "/"), "");
-  if (!member.plan.deck.empty())
-    replace_all(message, fs::path(member.plan.deck).parent_path().string() + "/", "");
+  const std::string run = ensemble.folder_of(row);
+  for (const std::string& folder : {run, absolute(run), absolute(member.folder),
+                                    fs::path(member.plan.deck).parent_path().string()})
+    if (folder.size() > 1)
+      remove_all(message, folder + (folder.ends_with('/') ? "" : "/"));
   return message;
 }
 
