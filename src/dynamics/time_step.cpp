@@ -13,7 +13,6 @@
 #include "model/safe_fraction.hpp"
 
 namespace blocks::dynamics {
-
 namespace {
 
 /// The largest stiffness of a contact with this law on an edge of length `edge`, [F/L].
@@ -100,6 +99,64 @@ class ContactStiffness {
   std::map<int, std::vector<const JointLaw*>> of_material_;
 };
 
+/// The least area of a piece of block b; infinite if the block does not split.
+double least_piece(const Settings& settings, const Blocks& blocks, int b) {
+  const auto rule = settings.crack_rules.find(blocks.material[b]);
+  return rule == settings.crack_rules.end() ? std::numeric_limits<double>::infinity()
+                                            : rule->second.least_area;
+}
+
+/// A step that one block allows.
+struct BlockStep {
+  double dt = std::numeric_limits<double>::infinity();  ///< [T]
+  bool of_piece = false;  ///< it is that of a piece into which the block may split
+};
+
+/// The steps that single blocks allow.
+class BlockSteps {
+ public:
+  /// contact_share: see steps_of_blocks
+  BlockSteps(const Model& model, const Eigen::VectorXd& contact_share)
+      : settings_(model.settings), blocks_(model.blocks), shares_(contact_share),
+        fraction_(fraction_in_force(model.settings)), stiffness_(model) {}
+
+  /// Returns the step (4) with the mass of block b or, if it may split, of its smallest
+  /// piece. The strain of a piece when it split off does not count.
+  BlockStep by_contacts(int b) const {
+    const double least = least_piece(settings_, blocks_, b);
+    double mass = blocks_.mass[b];
+    if (blocks_.area[b] >= least)
+      mass = settings_.materials.at(blocks_.material[b]).density * least;
+    const double constant =
+        std::max(settings_.normal_stiffness, settings_.shear_stiffness);
+    const double k = std::max(shares_[b] * constant, stiffness_.of(blocks_, b));
+    return {fraction_ * 2.0 * std::sqrt(mass / k), mass < blocks_.mass[b]};
+  }
+  /// Returns the step that the deformability of block b allows. Its thickness is that
+  /// at creation or, if it may split, of its thinnest piece.
+  BlockStep by_strain(int b) const {
+    const auto moment = blocks_.second_moment.col(b);
+    const double whole = thickness({moment[0], moment[1], moment[3]}, blocks_.mass[b]);
+    const double piece = least_thickness_of_pieces(least_piece(settings_, blocks_, b));
+    const Material& material = settings_.materials.at(blocks_.material[b]);
+    const double z = material.damping;
+    // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
+    // where C is at most 2 C11. This factor keeps the left side below 2 M for all z;
+    // the rest is for contacts.
+    const double damped = std::sqrt(1.0 + z * z) - z;
+    return {0.5 * damped * std::min(whole, piece) *
+                std::sqrt(material.density / material.c11()),
+            piece <= whole};
+  }
+
+ private:
+  const Settings& settings_;
+  const Blocks& blocks_;
+  const Eigen::VectorXd& shares_;
+  double fraction_;
+  ContactStiffness stiffness_;
+};
+
 }  // namespace
 
 Vec2 extent(const Blocks& blocks, int b) {
@@ -137,107 +194,39 @@ double least_thickness_of_pieces(double least_area) {
   return 0.5 * std::sqrt(least_area);
 }
 
-namespace {
-
-/// The least area of a piece of block b; infinite if the block does not split.
-double least_piece(const Settings& settings, const Blocks& blocks, int b) {
-  const auto rule = settings.crack_rules.find(blocks.material[b]);
-  return rule == settings.crack_rules.end() ? std::numeric_limits<double>::infinity()
-                                            : rule->second.least_area;
-}
-
-/// The mass of block b or, if it may split, of its smallest piece. The strain of a
-/// piece when it split off does not count.
-double least_mass(const Settings& settings, const Blocks& blocks, int b) {
-  const double least = least_piece(settings, blocks, b);
-  return blocks.area[b] >= least
-             ? settings.materials.at(blocks.material[b]).density * least
-             : blocks.mass[b];
-}
-
-}  // namespace
-
-namespace {
-
-/// Returns the step (4) with this mass and stiffness, [T].
-double contact_step(double fraction, double mass, double stiffness) {
-  return fraction * 2.0 * std::sqrt(mass / stiffness);
-}
-
-/// The thickness of block b at creation or, if it may split, of its thinnest piece,
-/// [L].
-double least_thickness(const Settings& settings, const Blocks& blocks, int b) {
-  const auto moment = blocks.second_moment.col(b);
-  const double whole = thickness({moment[0], moment[1], moment[3]}, blocks.mass[b]);
-  return std::min(whole, least_thickness_of_pieces(least_piece(settings, blocks, b)));
-}
-
-/// Returns the step that the deformability of a block of this thickness allows, [T].
-double elastic_step(const Material& material, double thickness) {
-  const double z = material.damping;
-  // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
-  // where C is at most 2 C11. This factor keeps the left side below 2 M for all z; the
-  // rest is for contacts.
-  const double damped = std::sqrt(1.0 + z * z) - z;
-  return 0.5 * damped * thickness * std::sqrt(material.density / material.c11());
-}
-
-}  // namespace
-
 TimeStep choose_time_step(const Model& model) {
-  const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
-  const ContactStiffness stiffness(model);
-  const double fraction = fraction_in_force(settings);
-  const double constant = std::max(settings.normal_stiffness, settings.shear_stiffness);
-  const Eigen::VectorXd shares = chooses_fraction(settings)
+  const Eigen::VectorXd shares = chooses_fraction(model.settings)
                                      ? contact_shares(model)
                                      : Eigen::VectorXd::Ones(blocks.size());
-
+  const BlockSteps steps(model, shares);
   TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size()};
-  for (int b = 0; b < blocks.size(); ++b) {
-    if (blocks.is_removed(b))
-      continue;
-    const double mass = least_mass(settings, blocks, b);
-    const double k = std::max(shares[b] * constant, stiffness.of(blocks, b));
-    const double dt = contact_step(fraction, mass, k);
-    if (dt < best.dt)
-      best = {dt, b, blocks.size(), false, mass < blocks.mass[b]};
-  }
-  if (settings.rigid)
-    return best;
-  for (int b = 0; b < blocks.size(); ++b) {
-    if (!blocks.is_free(b))
-      continue;
-    const double least = least_thickness(settings, blocks, b);
-    const double dt = elastic_step(settings.materials.at(blocks.material[b]), least);
-    if (dt < best.dt)
-      best = {dt, b, blocks.size(), true,
-              least == least_thickness_of_pieces(least_piece(settings, blocks, b))};
-  }
+  const auto include = [&](int b, const BlockStep& step, bool elastic) {
+    if (step.dt < best.dt)
+      best = {step.dt, b, blocks.size(), elastic, step.of_piece};
+  };
+  for (int b = 0; b < blocks.size(); ++b)
+    if (!blocks.is_removed(b))
+      include(b, steps.by_contacts(b), false);
+  for (int b = 0; b < blocks.size(); ++b)
+    if (!model.settings.rigid && blocks.is_free(b))
+      include(b, steps.by_strain(b), true);
   return best;
 }
 
 Eigen::VectorXd steps_of_blocks(const Model& model,
                                 const Eigen::VectorXd& contact_share) {
-  const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
-  const ContactStiffness stiffness(model);
-  const double fraction = fraction_in_force(settings);
-  const double constant = std::max(settings.normal_stiffness, settings.shear_stiffness);
-  Eigen::VectorXd steps = Eigen::VectorXd::Zero(blocks.size());
+  const BlockSteps steps(model, contact_share);
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(blocks.size());
   for (int b = 0; b < blocks.size(); ++b) {
     if (!blocks.is_free(b))
       continue;
-    const double k = std::max(contact_share[b] * constant, stiffness.of(blocks, b));
-    steps[b] = contact_step(fraction, least_mass(settings, blocks, b), k);
-    if (settings.rigid)
-      continue;
-    steps[b] =
-        std::min(steps[b], elastic_step(settings.materials.at(blocks.material[b]),
-                                        least_thickness(settings, blocks, b)));
+    found[b] = steps.by_contacts(b).dt;
+    if (!model.settings.rigid)
+      found[b] = std::min(found[b], steps.by_strain(b).dt);
   }
-  return steps;
+  return found;
 }
 
 }  // namespace blocks::dynamics
