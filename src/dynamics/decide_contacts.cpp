@@ -18,10 +18,10 @@ void find_due(const Blocks& blocks, Workspace& work, int begin, int end,
               std::vector<int>& due) {
   Decisions& decisions = work.decisions;
   const bool keeps = work.rule->options.keeps_decisions;
-  const double most = decisions.bounds.most;
+  const double longest_path = decisions.bounds.longest_path;
   due.clear();
   for (int p = begin; p < end; ++p)
-    if (!keeps || !(most < decisions.next_check[p] ||
+    if (!keeps || !(longest_path < decisions.next_check[p] ||
                     decisions.holds(blocks, work.parts, work.index.pairs[p], p)))
       due.push_back(p);
 }
@@ -77,7 +77,7 @@ void expect_contacts(Workspace& work) {
   const std::vector<double>& longest = work.decisions.bounds.longest;
   for (int p = 0; p < work.index.size(); ++p) {
     const auto [low, high] = work.index.pairs[p];
-    const double apart = work.decisions.rooms[p].motion;
+    const double apart = work.decisions.pairs[p].room.motion;
     if (work.contacts.slots_of_pair[p] == 0 && apart > 0.0 &&
         apart < near_share * std::min(longest[low], longest[high]))
       work.contacts.slots_of_pair[p] = ContactArrays::contacts_of_two_faces;

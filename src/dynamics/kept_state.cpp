@@ -54,18 +54,17 @@ KeptDecisions kept_decisions(const Workspace& work) {
                                  arrays.batches.is(slot, &ContactTests::tested),
                                  arrays.batches.is(slot, &ContactTests::certain)});
     });
-    const std::vector<KeptPose>& poses = decisions.renewals[p].poses;
-    const std::vector<KeptDepth>& depths = decisions.renewals[p].depths;
+    const auto& [poses, depths] = decisions.pairs[p].renewal;
     kept.poses.insert(kept.poses.end(), poses.begin(), poses.end());
     kept.depths.insert(kept.depths.end(), depths.begin(), depths.end());
-    Room room = decisions.rooms[p];
+    Room room = decisions.pairs[p].room;
     room.motion = std::min(room.motion, largest);
     room.until = std::min(room.until, largest);
     kept.pairs.push_back(
         {low, high, room, static_cast<int>(kept.contacts.size() - before),
          static_cast<int>(poses.size()), static_cast<int>(depths.size())});
   }
-  kept.most = decisions.bounds.most;
+  kept.most = decisions.bounds.longest_path;
   kept.blocks = static_cast<int>(decisions.bounds.longest.size());
   return kept;
 }
@@ -80,7 +79,7 @@ void restore_decisions(Model& model, Workspace& work) {
   work.parts.make(blocks);
   Decisions& decisions = work.decisions;
   decisions.bounds.start(blocks, model.settings.rigid);
-  decisions.bounds.most = kept.most;
+  decisions.bounds.longest_path = kept.most;
   decisions.reset(work.index.size());
   ContactsOfPairs listed, contacts;
   read_list(blocks, model.contacts, model.joint_states, work.index, listed);
@@ -93,9 +92,10 @@ void restore_decisions(Model& model, Workspace& work) {
     const auto limit = [](double stored) {
       return stored < largest ? stored : infinite;
     };
-    decisions.rooms[p] = {limit(pair.room.motion), limit(pair.room.until),
-                          pair.room.then};
-    decisions.renewals[p] = {{pose, pose + pair.poses}, {depth, depth + pair.depths}};
+    decisions.pairs[p].room = {limit(pair.room.motion), limit(pair.room.until),
+                               pair.room.then};
+    decisions.pairs[p].renewal = {{pose, pose + pair.poses},
+                                  {depth, depth + pair.depths}};
     pose += pair.poses, depth += pair.depths;
     const bool has_listed = k < listed.pair.size() && listed.pair[k] == p;
     if (pair.contacts > 0)

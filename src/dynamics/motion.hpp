@@ -24,7 +24,7 @@ struct Displacement {
   /// centroid moved plus the change of the longest arm.
   double largest = 0.0;
   int block = -1;  ///< the first block that reached `largest`
-  /// [L] what the step adds to MotionBounds::most in this step.
+  /// [L] what the step adds to MotionBounds::longest_path in this step.
   double bound = 0.0;
   bool finite = true;        ///< whether all corners are finite numbers
   bool left_domain = false;  ///< whether some corner lies outside the domain

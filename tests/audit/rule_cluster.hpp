@@ -20,7 +20,7 @@ using Adjacency = std::vector<std::vector<int>>;
 /// Neighbours in the form that the contact rule needs.
 struct Listed {
   const Adjacency& lists;
-  template <class Visit> void operator()(int block, const Visit& visit) const {
+  template <class Visit> void each(int block, const Visit& visit) const {
     for (const int other : lists[block])
       visit(other);
   }

@@ -117,7 +117,7 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
       Decisions& decisions = cluster.work.decisions;
       const NearPair& pair = index.pairs[p];
       decisions.keep_certain(blocks, pair, p, decision.room, decision.growth);
-      const double most = decisions.bounds.most;
+      const double longest = decisions.bounds.longest_path;
       for (int trial = 0; trial < 2; ++trial) {
         const double own = cluster.clusters.uniform(0.0, 0.999) * decision.room;
         const double share = cluster.clusters.uniform(0.0, 1.0);
@@ -129,8 +129,9 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
         for (int b = 0; b < start.size(); ++b)
           if (b != pair.low && b != pair.high)
             cluster.move(b, cluster.clusters.uniform(0.0, 1.0) * growth);
-        decisions.bounds.most = most + std::max(growth, common);
-        decisions.next_examination[p] = {};
+        decisions.bounds.longest_path = longest + std::max(growth, common);
+        decisions.pairs[p].examined_at_pair_path = 0.0;
+        decisions.pairs[p].examined_at_longest_path = 0.0;
         if (decisions.holds(blocks, cluster.work.parts, pair, p)) {
           const Contacts after = cluster.exact(p);
           ASSERT_EQ(cluster.acting(p), after) << "pair " << p << " moved by " << own;
@@ -139,7 +140,7 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
         }
         blocks = start;
       }
-      decisions.bounds.most = most;
+      decisions.bounds.longest_path = longest;
     }
   }
   EXPECT_GT(count.certain, count.pairs / 2) << "of " << count.pairs;

@@ -29,18 +29,19 @@ PairIndex index_of(std::vector<NearPair> pairs, int blocks) {
 Decisions made(const PairIndex& index, double until) {
   Decisions decisions;
   for (int p = 0; p < index.size(); ++p) {
-    decisions.rooms.push_back({.motion = 1.0 + p, .until = until, .then = {}});
-    decisions.next_examination.push_back({0.5 + p, infinite});
+    decisions.pairs.push_back({.room = {.motion = 1.0 + p, .until = until, .then = {}},
+                               .renewal = {},
+                               .examined_at_pair_path = 0.5 + p,
+                               .examined_at_longest_path = infinite});
     decisions.next_check.push_back(0.25 + p);
-    decisions.renewals.emplace_back();
   }
   return decisions;
 }
 
 std::vector<double> rooms_of(const Decisions& decisions) {
   std::vector<double> rooms;
-  for (const Room& room : decisions.rooms)
-    rooms.push_back(room.motion);
+  for (const PairDecision& one : decisions.pairs)
+    rooms.push_back(one.room.motion);
   return rooms;
 }
 
@@ -152,7 +153,8 @@ struct Row {
   }
   bool holds() {
     decisions.bounds.grow(1e-2);
-    decisions.next_examination[0] = {};
+    decisions.pairs[0].examined_at_pair_path = 0.0;
+    decisions.pairs[0].examined_at_longest_path = 0.0;
     return decisions.holds(model.blocks, parts, index.pairs[0], 0);
   }
 };

@@ -9,8 +9,8 @@
 namespace blocks::dynamics {
 namespace {
 
-/// By how much MotionBounds::most may grow, for each unit of length between a third
-/// part and the reach of a contact point (docs/kept-decisions.md#third-parts).
+/// By how much MotionBounds::longest_path may grow, for each unit of length between a
+/// third part and the reach of a contact point (docs/kept-decisions.md#third-parts).
 constexpr double growth_per_room = 0.15;
 
 /// [L] The growth if there is no third part. It is finite, because a new neighbour may
@@ -59,9 +59,8 @@ class LaneDecision {
   bool third_parts_are_away() {
     bool are_away = answers_.reach[lane_] <= bounds_.longest[parts_.block(own_)];
     const auto visit = [&](int part) { are_away = are_away && is_away(part); };
-    const Neighbours neighbours{index_};
-    each_third_part(blocks_, parts_, neighbours, own_, other_, visit);
-    each_third_part(blocks_, parts_, neighbours, other_, own_, visit);
+    each_third_part(blocks_, parts_, index_.neighbours, own_, other_, visit);
+    each_third_part(blocks_, parts_, index_.neighbours, other_, own_, visit);
     return are_away;
   }
   bool is_away(int part) {

@@ -21,8 +21,8 @@ struct CertainDecision {
   /// [L] The decision holds while the motion of the two blocks is less than this. If it
   /// is 0, the pair is in doubt.
   double room = 0.0;
-  /// [L] The decision holds while MotionBounds::most grows by less than this: then a
-  /// neighbour may matter. It is infinite if no neighbour can ever matter.
+  /// [L] The decision holds while MotionBounds::longest_path grows by less than this:
+  /// then a neighbour may matter. It is infinite if no neighbour can ever matter.
   double growth = std::numeric_limits<double>::infinity();
 };
 

@@ -39,8 +39,7 @@ template <class Predicates> class RuleWith : public ContactRule {
 
   void decide(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
               int p, PairScratch& scratch) const override {
-    const Neighbours neighbours{index};
-    PairRule<Predicates, Neighbours> rule(blocks, parts, neighbours, scratch);
+    PairRule<Predicates, Groups> rule(blocks, parts, index.neighbours, scratch);
     rule.decide(index.pairs[p].low, index.pairs[p].high);
   }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "geometry/contact_constants.hpp"
 
@@ -14,7 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// The motion of a pair grows by at most what the paths of its two blocks grow by. The
 /// rest covers rounding.
 constexpr double motion_per_path = 1.000001;
-/// No path grows by more than MotionBounds::most.
+/// No path grows by more than MotionBounds::longest_path.
 constexpr double motion_per_growth = 2.0 * motion_per_path;
 
 /// Returns which blocks have a new neighbour, (blocks).
@@ -45,22 +46,11 @@ bool has_corners_of(const Blocks& blocks, const KeptPose& pose) {
 
 }  // namespace
 
-void Decisions::reset(int pairs) {
-  rooms.assign(static_cast<std::size_t>(pairs), {});
-  next_examination.assign(static_cast<std::size_t>(pairs), {});
-  next_check.assign(static_cast<std::size_t>(pairs), 0.0);
-  renewals.assign(static_cast<std::size_t>(pairs), {});
-}
-
 void Decisions::keep_in(const PairIndex& now, const PairIndex& old) {
-  const std::vector<char> touched =
-      with_new_neighbours(now.neighbours, old.neighbours);
-  std::vector<Room> old_rooms(now.pairs.size());
-  std::vector<NextExamination> old_examination(now.pairs.size());
+  const std::vector<char> touched = with_new_neighbours(now.neighbours, old.neighbours);
+  std::vector<PairDecision> old_pairs(now.pairs.size());
   std::vector<double> old_checks(now.pairs.size(), 0.0);
-  std::vector<Renewal> old_renewals(now.pairs.size());
-  rooms.swap(old_rooms), renewals.swap(old_renewals);
-  next_examination.swap(old_examination), next_check.swap(old_checks);
+  pairs.swap(old_pairs), next_check.swap(old_checks);
   std::size_t k = 0;
   for (std::size_t p = 0; p < now.pairs.size(); ++p) {
     const auto [low, high] = now.pairs[p];
@@ -69,32 +59,31 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old) {
     if (k == old.pairs.size() || !(old.pairs[k] == now.pairs[p]))
       continue;
     const bool needs_neighbours =
-        !old_renewals[k].empty() || old_rooms[k].until < infinite;
+        !old_pairs[k].renewal.empty() || old_pairs[k].room.until < infinite;
     if (needs_neighbours && (touched[low] != 0 || touched[high] != 0))
       continue;
-    rooms[p] = old_rooms[k], next_examination[p] = old_examination[k];
+    pairs[p] = std::move(old_pairs[k]);
     next_check[p] = old_checks[k];
-    std::swap(renewals[p], old_renewals[k]);
   }
 }
 
 void Decisions::keep_certain(const Blocks& blocks, const NearPair& pair, int p,
                              double room, double growth) {
   const auto [low, high] = pair;
-  renewals[p].clear();
-  rooms[p] = {room,
-              bounds.most + growth,
-              {blocks.centroid.col(high) - blocks.centroid.col(low),
-               blocks.gradient.col(low), blocks.gradient.col(high)}};
-  postpone(pair, p, room, rooms[p].until);
+  pairs[p].renewal.clear();
+  pairs[p].room = {room,
+                   bounds.longest_path + growth,
+                   {blocks.centroid.col(high) - blocks.centroid.col(low),
+                    blocks.gradient.col(low), blocks.gradient.col(high)}};
+  postpone(pair, p, room, pairs[p].room.until);
 }
 
 void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
                            const PairIndex& index, int p,
                            const std::vector<KeptDepth>& depths, bool asked_of_third) {
   const auto [low, high] = index.pairs[p];
-  rooms[p] = {};
-  Renewal& renewal = renewals[p];
+  pairs[p].room = {};
+  Renewal& renewal = pairs[p].renewal;
   renewal.depths = depths;
   renewal.poses.clear();
   const auto add = [&](int block) {
@@ -108,8 +97,9 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
     if ((blocks.is_free(pose.block) || blocks.is_driven(pose.block)) &&
         !has_corners_of(blocks, pose))
       return expire(p);
-  next_examination[p] = {0.0,
-                         bounds.most + renewal_motion(low, high) / motion_per_growth};
+  pairs[p].examined_at_pair_path = 0.0;
+  pairs[p].examined_at_longest_path =
+      bounds.longest_path + renewal_motion(low, high) / motion_per_growth;
   holds(blocks, parts, index.pairs[p], p);
 }
 
@@ -168,45 +158,50 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
   return least;
 }
 
-void Decisions::postpone(const NearPair& pair, int p, double motion, double all) {
-  next_examination[p] = {bounds.path_of(pair.low, pair.high) + motion / motion_per_path,
-                         all};
-  is_postponed(pair, p);
+void Decisions::postpone(const NearPair& pair, int p, double motion,
+                         double longest_path) {
+  pairs[p].examined_at_pair_path =
+      bounds.path_of(pair.low, pair.high) + motion / motion_per_path;
+  pairs[p].examined_at_longest_path = longest_path;
+  set_next_check(pair, p);
 }
 
-bool Decisions::is_postponed(const NearPair& pair, int p) {
-  const double own = next_examination[p].own - bounds.path_of(pair.low, pair.high),
-               growth = std::min(0.5 * own, next_examination[p].all - bounds.most);
-  next_check[p] = bounds.most + growth;
+bool Decisions::set_next_check(const NearPair& pair, int p) {
+  const double path_left =
+      pairs[p].examined_at_pair_path - bounds.path_of(pair.low, pair.high);
+  // Each of the two paths may grow as much as the longest path.
+  const double growth = std::min(0.5 * path_left, pairs[p].examined_at_longest_path -
+                                                      bounds.longest_path);
+  next_check[p] = bounds.longest_path + growth;
   return growth > 0.0;
 }
 
 bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
                       const NearPair& pair, int p) {
-  if (is_postponed(pair, p))
+  if (set_next_check(pair, p))
     return true;
-  const Renewal& renewal = renewals[p];
+  const Renewal& renewal = pairs[p].renewal;
   const auto [low, high] = pair;
   if (renewal.empty()) {
-    const Room& room = rooms[p];
+    const Room& room = pairs[p].room;
     const double left = room.motion - motion_since(blocks, pair, room.then);
     postpone(pair, p, left, room.until);
-    return left > 0.0 && bounds.most < room.until;
+    return left > 0.0 && bounds.longest_path < room.until;
   }
   const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
   if (!(to_limits > 0.0))
     return false;
-  double all = next_examination[p].all;
-  if (!(bounds.most < all)) {
+  double end = pairs[p].examined_at_longest_path;
+  if (!(bounds.longest_path < end)) {
     const double left = renewal_motion(low, high) - motion_since(blocks, renewal.poses);
-    all = bounds.most + left / motion_per_growth;
+    end = bounds.longest_path + left / motion_per_growth;
   }
   // Corners are rounded in each step. At a distance below that, every step checks.
   const double rounding =
       0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
                  blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
-  postpone(pair, p, to_limits - rounding, all);
-  return bounds.most < all;
+  postpone(pair, p, to_limits - rounding, end);
+  return bounds.longest_path < end;
 }
 
 }  // namespace blocks::dynamics

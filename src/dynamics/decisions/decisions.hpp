@@ -22,40 +22,57 @@ struct Renewal {
   void clear() { poses.clear(), depths.clear(); }
 };
 
-/// When a decision has to be examined: not while the paths of its two blocks are
-/// together less than `own`, and MotionBounds::most is less than `all`, [L].
-struct NextExamination {
-  double own = 0.0, all = 0.0;
+/// How long the decision of a pair holds. The cheapest question comes first: nothing is
+/// read while
+///   MotionBounds::longest_path < Decisions::next_check;
+/// then the decision is not examined while
+///   the sum of the paths of the two blocks < examined_at_pair_path, and
+///   MotionBounds::longest_path < examined_at_longest_path;
+/// then a certain decision holds while
+///   the net motion of the two blocks < room.motion, and
+///   MotionBounds::longest_path < room.until;
+/// and one of the exact rule while its depths are in their limits, and the blocks of
+/// its poses have moved by less than Decisions::renewal_motion. All are in [L].
+struct PairDecision {
+  Room room;        ///< of certain decisions; the default for all others
+  Renewal renewal;  ///< of decisions of the exact rule; empty for all others
+  double examined_at_pair_path = 0.0, examined_at_longest_path = 0.0;
+
+  /// The decision has to be made again.
+  void expire() {
+    room = {}, renewal.clear();
+    examined_at_pair_path = examined_at_longest_path = 0.0;
+  }
 };
 
 struct Decisions {
   MotionBounds bounds;
-  /// (pairs) How long the certain decisions hold; the default for all others.
-  std::vector<Room> rooms;
-  /// (pairs) When the decisions of the exact rule end; empty for all others.
-  std::vector<Renewal> renewals;
-  std::vector<NextExamination> next_examination;  ///< (pairs)
-  /// (pairs) [L] The same in one number: no path is read while MotionBounds::most is
-  /// less than this.
+  std::vector<PairDecision> pairs;
+  /// (pairs) [L] apart from the rest of a decision, because every step reads it
   std::vector<double> next_check;
 
-  /// Discards all decisions. pairs: the number of pairs.
-  void reset(int pairs);
+  /// Discards all decisions. count: the number of pairs.
+  void reset(int count) {
+    pairs.assign(static_cast<std::size_t>(count), {});
+    next_check.assign(static_cast<std::size_t>(count), 0.0);
+  }
   /// Keeps the decisions of the old list of pairs in the new one. Discards those that a
   /// new neighbour may change. Both lists are of the same blocks.
   void keep_in(const PairIndex& now, const PairIndex& old);
   /// Discards the decision of pair p.
   void expire(int p) {
-    rooms[p] = {}, renewals[p].clear(), next_examination[p] = {}, next_check[p] = 0.0;
+    pairs[p].expire();
+    next_check[p] = 0.0;
   }
   /// Discards the decisions of the exact rule. All others certainly hold.
   void expire_exact() {
-    for (std::size_t p = 0; p < renewals.size(); ++p)
-      if (!renewals[p].empty())
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      if (!pairs[p].renewal.empty())
         expire(static_cast<int>(p));
   }
   /// Keeps the decision of pair p, made now, while the motion of the two blocks is less
-  /// than `room`, [L], and MotionBounds::most has grown by less than `growth`, [L].
+  /// than `room`, [L], and MotionBounds::longest_path has grown by less than `growth`,
+  /// [L].
   void keep_certain(const Blocks& blocks, const NearPair& pair, int p, double room,
                     double growth);
   /// Keeps the decision of pair p, made now by the exact rule, until one of the depths
@@ -85,10 +102,10 @@ struct Decisions {
 
  private:
   /// Postpones the next examination of pair p until its motion may have grown by
-  /// `motion`, or MotionBounds::most has reached `all`, [L].
-  void postpone(const NearPair& pair, int p, double motion, double all);
-  /// Returns whether the next examination of pair p is still to come; sets next_check.
-  bool is_postponed(const NearPair& pair, int p);
+  /// `motion`, or MotionBounds::longest_path has reached `longest_path`, [L].
+  void postpone(const NearPair& pair, int p, double motion, double longest_path);
+  /// Sets next_check. Returns false if pair p has to be examined now.
+  bool set_next_check(const NearPair& pair, int p);
 };
 
 }  // namespace blocks::dynamics

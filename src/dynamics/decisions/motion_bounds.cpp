@@ -23,7 +23,7 @@ void MotionBounds::start(const Blocks& blocks, bool rigid_blocks) {
   for (int b = 0; b < blocks.size(); ++b)
     longest[static_cast<std::size_t>(b)] = longest_arm(blocks, b);
   path.assign(longest.size(), 0.0);
-  most = 0.0;
+  longest_path = 0.0;
   rounding = 0.0;
   for (const double arm : longest)
     rounding = std::max(rounding, 0x1p-50 * arm);

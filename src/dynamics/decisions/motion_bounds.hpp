@@ -22,11 +22,11 @@ struct MotionBounds {
   double rounding = 0.0;
   /// [L] The same for all blocks: the sum over the steps of the largest value, over all
   /// blocks, that a step adds to `path`.
-  double most = 0.0;
+  double longest_path = 0.0;
 
-  /// Adds a step to `most`. bound: Displacement::bound, or infinity if the state is not
-  /// finite.
-  void grow(double bound) { most += bound + 0x1p-52 * most; }
+  /// Adds a step to `longest_path`. bound: Displacement::bound, or infinity if the
+  /// state is not finite.
+  void grow(double bound) { longest_path += bound + 0x1p-52 * longest_path; }
   /// Returns the sum of the paths of two blocks. Their motion
   /// (docs/kept-decisions.md#motion-of-a-pair) grows by no more than this sum.
   double path_of(int a, int b) const { return path[a] + path[b]; }

@@ -44,10 +44,12 @@ void BlockParts::find_isolated_sides(const Blocks& blocks) {
   is_isolated_.resize(corner_.size());
   for (int part = 0; part < static_cast<int>(block_.size()); ++part)
     for (int i = 0; i < corners(part); ++i) {
-      const Side own = side(part, i);
-      is_isolated_[first_corner_[part] + i] =
-          !is_inner(blocks, own) && !may_be_in_line(blocks, before(own), own) &&
-          !may_be_in_line(blocks, own, after(own));
+      const int n = corners(part);
+      const Side own = side(part, i), before = side(part, (i + n - 1) % n),
+                 after = side(part, (i + 1) % n);
+      is_isolated_[first_corner_[part] + i] = !is_inner(blocks, own) &&
+                                              !may_be_in_line(blocks, before, own) &&
+                                              !may_be_in_line(blocks, own, after);
     }
 }
 

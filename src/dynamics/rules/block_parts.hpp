@@ -37,15 +37,6 @@ class BlockParts {
     const int next = index + 1 < corners(part) ? index + 1 : 0;
     return {part, index, corner(part, index), corner(part, next)};
   }
-  /// Returns the side that ends where this one starts.
-  Side before(const Side& side) const {
-    return this->side(side.part,
-                      (side.index > 0 ? side.index : corners(side.part)) - 1);
-  }
-  Side after(const Side& side) const {
-    return this->side(side.part,
-                      side.index + 1 < corners(side.part) ? side.index + 1 : 0);
-  }
   /// Returns whether the side is between two parts of one block.
   bool is_inner(const Blocks& blocks, const Side& side) const {
     return blocks.next[side.start] != side.end;

@@ -188,6 +188,27 @@ template <class Predicates> class PairShape {
       visit(side);
   }
 
+  /// Calls visit(corner, side) for each contact that may act along an axis. With a
+  /// facing side, these are the ends of each face on the other face; otherwise it is
+  /// the corner of the axis. A face may consist of several sides in line. The ends of
+  /// inner sides in line with the axis side are left out.
+  template <class Visit>
+  void each_along(const Axis& axis, const std::optional<PairSide>& facing,
+                  const Visit& visit) {
+    if (!facing)
+      return visit(axis.corner, axis.side);
+    each_in_line(*facing, [&](const PairSide& side) {
+      visit(side, axis.side);
+      visit(after(side), axis.side);
+    });
+    each_in_line(axis.side, [&](const PairSide& side) {
+      if (at(side).is_inner)
+        return;
+      visit(side, *facing);
+      visit(after(side), *facing);
+    });
+  }
+
   /// Returns the side at the corner of an axis that faces the axis side. If both sides
   /// at the corner face it, returns the more nearly parallel one.
   std::optional<PairSide> find_facing(const Axis& axis) {

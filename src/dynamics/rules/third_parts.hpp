@@ -15,9 +15,9 @@
 namespace blocks::dynamics {
 
 /// Calls visit(part) for the other parts of the block of `own` and for the parts of all
-/// blocks that may lie near both blocks and may touch that of `other`. neighbours(b,
-/// visit) has to call visit(block) for each block that block b is paired with, in a
-/// fixed order, and neighbours.count(b) to return their number.
+/// blocks that may lie near both blocks and may touch that of `other`. neighbours:
+/// Groups, or another class whose each(b, visit) calls visit(block) for each block that
+/// block b is paired with, in a fixed order, and whose count(b) returns their number.
 ///
 /// The list of either block has all blocks that are near both, so the shorter one is
 /// used: a long floor costs its bricks no more than a short one. But the list of a
@@ -30,7 +30,7 @@ void each_third_part(const Blocks& blocks, const BlockParts& parts,
   const bool own_moves = blocks.is_free(own_block) || blocks.is_driven(own_block);
   const bool by_own =
       own_moves && neighbours.count(own_block) < neighbours.count(other_block);
-  neighbours(by_own ? own_block : other_block, [&](int block) {
+  neighbours.each(by_own ? own_block : other_block, [&](int block) {
     if (block != own_block && block != other_block &&
         blocks.may_touch(block, other_block))
       for (int part = parts.first_part(block); part < parts.end_part(block); ++part)

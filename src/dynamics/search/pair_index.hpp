@@ -42,16 +42,4 @@ struct PairIndex {
   }
 };
 
-/// Calls a visitor for each neighbour of a block, in the form that the contact rule
-/// needs.
-struct Neighbours {
-  const PairIndex& index;
-  template <class Visit> void operator()(int block, const Visit& visit) const {
-    index.neighbours.each(block, visit);
-  }
-  int count(int block) const {
-    return index.neighbours.first[block + 1] - index.neighbours.first[block];
-  }
-};
-
 }  // namespace blocks::dynamics

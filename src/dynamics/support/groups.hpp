@@ -27,6 +27,7 @@ struct Groups {
     std::move_backward(first.begin(), first.end() - 1, first.end());
     first[0] = 0;
   }
+  int count(int group) const { return first[group + 1] - first[group]; }
   int groups() const { return static_cast<int>(first.size()) - 1; }
   /// Calls visit(item) for each item of a group.
   template <class Visit> void each(int group, const Visit& visit) const {

@@ -79,7 +79,7 @@ class Search {
     if (!exceeds(of_p, of_q))
       return false;
     const auto explains = [&](int own, int other, const geometry::Polygon& shifted) {
-      thirds_.collect(blocks_, parts_, dynamics::Neighbours{index_}, own, other);
+      thirds_.collect(blocks_, parts_, index_.neighbours, own, other);
       return thirds_.any(
           [&](const geometry::Polygon& third) { return !exceeds(shifted, third); });
     };
