@@ -1,4 +1,4 @@
-// Adds one force at one point of a block. Used for symmetry planes and pressures.
+// Adds one force at one point of a block: of planes, loads and INSITU.
 #pragma once
 
 #include "model/blocks.hpp"

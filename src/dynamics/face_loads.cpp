@@ -11,6 +11,16 @@ EdgeFrame::EdgeFrame(const Blocks& blocks, int edge) {
   outwards = {-along.y(), along.x()};
 }
 
+Vec2 force_on_corner(const Blocks& blocks, const Contact& contact) {
+  const EdgeFrame edge(blocks, contact.edge);
+  return contact.normal_force * edge.outwards - contact.shear_force * edge.along;
+}
+
+Vec2 force_on_corner(const Plane& plane, const PlaneContact& contact) {
+  const Vec2 along = (plane.b - plane.a).normalized();
+  return contact.normal_force * Vec2(-along.y(), along.x());
+}
+
 void PairLoads::add(const Face& face) {
   const double slack = same_point * face.length_of_side();
   const FaceEnd ends[2] = {face.end(false, slack), face.end(true, slack)};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dynamics/faces.hpp"
-#include "model/stress_field.hpp"
+#include "model/model.hpp"
 
 namespace blocks::dynamics {
 
@@ -25,6 +25,13 @@ struct EdgeFrame {
   Vec2 along, outwards;
   EdgeFrame(const Blocks& blocks, int edge);
 };
+
+/// Returns the force of a listed contact on the block of its corner, [F]. The opposite
+/// force acts at the same point on the block of its edge.
+Vec2 force_on_corner(const Blocks& blocks, const Contact& contact);
+
+/// Returns the force of a plane on the block of a corner, [F].
+Vec2 force_on_corner(const Plane& plane, const PlaneContact& contact);
 
 /// The forces on the faces of two blocks, contact by contact. Refers to the blocks and
 /// the field.

@@ -31,17 +31,12 @@ void set_forces(Model& model) {
   add_loads_of_cards(model);
   if (!model.loads.water.none())
     add_water(model, 0, blocks.size());
-  for (const PlaneContact& contact : model.plane_contacts) {
-    const Plane& plane = model.settings.planes[contact.plane];
-    const Vec2 along = (plane.b - plane.a).normalized();
+  for (const PlaneContact& contact : model.plane_contacts)
     add_force(blocks, blocks.corner_block[contact.corner],
               blocks.present_arm(contact.corner),
-              contact.normal_force * Vec2(-along.y(), along.x()));
-  }
+              force_on_corner(model.settings.planes[contact.plane], contact));
   for (const Contact& contact : model.contacts) {
-    const EdgeFrame edge(blocks, contact.edge);
-    const Vec2 force =
-        contact.normal_force * edge.outwards - contact.shear_force * edge.along;
+    const Vec2 force = force_on_corner(blocks, contact);
     const Vec2 place = blocks.corner.col(contact.corner);
     const int ours = blocks.corner_block[contact.corner],
               other = blocks.corner_block[contact.edge];

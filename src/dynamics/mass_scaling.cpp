@@ -16,13 +16,12 @@ void multiply_motion(Blocks& blocks, int b, double factor) {
   blocks.strain_rate.col(b) *= factor;
 }
 
-/// Makes the present moment that from which the times of steps are counted.
+}  // namespace
+
 void count_time_from_here(Model& model) {
   model.time_origin = model.time;
   model.step_origin = model.steps;
 }
-
-}  // namespace
 
 bool may_scale_masses(const Model& model) {
   const Blocks& blocks = model.blocks;

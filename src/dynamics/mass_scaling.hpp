@@ -21,6 +21,9 @@ void begin_mass_scaling(Model& model);
 /// chosen again. Without effect if masses are not scaled.
 void end_mass_scaling(Model& model);
 
+/// Makes the present moment that from which the times of steps are counted.
+void count_time_from_here(Model& model);
+
 /// The smallest and the largest entry of Blocks::scale of free blocks; 1 if masses are
 /// not scaled.
 struct MassFactors {

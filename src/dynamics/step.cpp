@@ -20,9 +20,7 @@ void prepare(Model& model) {
   end_mass_scaling(model);  // of a SOLVE that was not finished
   fix_outside_domain(model);
   if (model.time_step.blocks != model.blocks.size()) {
-    // The times of later steps are counted from here.
-    model.time_origin = model.time;
-    model.step_origin = model.steps;
+    count_time_from_here(model);
     model.time_step = choose_time_step(model);
     model.order = order_if_worthwhile(model.blocks);
   }

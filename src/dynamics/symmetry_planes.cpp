@@ -12,22 +12,18 @@
 
 namespace blocks::dynamics {
 
-namespace {
-
-Vec2 along_of(const Plane& plane) { return (plane.b - plane.a).normalized(); }
-
-}  // namespace
-
 void update_plane_contacts(Model& model, std::vector<PlaneContact>& memory,
                            double tolerance) {
   const Blocks& blocks = model.blocks;
+  // A corner farther away than `tolerance` cannot touch the plane; the rest is a
+  // margin.
   const double reach = 2.0 * tolerance;
   std::vector<PlaneContact>& next = memory;
   next.clear();
   auto old = model.plane_contacts.begin();
   for (int k = 0; k < static_cast<int>(model.settings.planes.size()); ++k) {
     const Plane& plane = model.settings.planes[k];
-    const Vec2 along = along_of(plane);
+    const Vec2 along = (plane.b - plane.a).normalized();
     for (int c = 0; c < blocks.corners(); ++c) {
       while (old != model.plane_contacts.end() &&
              std::pair(old->plane, old->corner) < std::pair(k, c))

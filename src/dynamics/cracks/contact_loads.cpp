@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "dynamics/face_loads.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
@@ -20,8 +22,6 @@ std::map<int, double> least_forces(const Settings& settings, double part) {
                         std::sqrt(rule.least_area);
   return least;
 }
-
-Vec2 left_of(const Vec2& along) { return {-along.y(), along.x()}; }
 
 auto first_of(const std::vector<std::pair<int, PointLoad>>& loads, int b) {
   return std::lower_bound(
@@ -50,20 +50,14 @@ ContactLoads::ContactLoads(const Model& model, double part) {
   };
   for (const Contact& contact : model.contacts) {
     const Vec2 at = blocks.corner.col(contact.corner);
-    const Vec2 from = blocks.corner.col(contact.edge);
-    const Vec2 along =
-        (Vec2(blocks.corner.col(blocks.next[contact.edge])) - from).normalized();
-    const Vec2 force =
-        contact.normal_force * left_of(along) - contact.shear_force * along;
+    const Vec2 force = force_on_corner(blocks, contact);
     add(contact.corner, at, force);
     add(contact.edge, at, -force);
   }
-  for (const PlaneContact& contact : model.plane_contacts) {
-    const Plane& plane = model.settings.planes[contact.plane];
+  for (const PlaneContact& contact : model.plane_contacts)
     if (contact.active)
       add(contact.corner, blocks.corner.col(contact.corner),
-          contact.normal_force * left_of((plane.b - plane.a).normalized()));
-  }
+          force_on_corner(model.settings.planes[contact.plane], contact));
   std::stable_sort(loads_.begin(), loads_.end(),
                    [](const auto& l, const auto& r) { return l.first < r.first; });
 }
