@@ -1,8 +1,17 @@
 // Values of many blocks at once, for quantities and exports.
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <tuple>
 
 #include "bindings.hpp"
 #include "geometry/polygon.hpp"
+#include "post/quantity.hpp"
+#include "post/units.hpp"
+#include "quantities/model_quantity.hpp"
 #include "quantities/quantity.hpp"
 
 namespace blocks::python {
@@ -38,9 +47,40 @@ py::array areas(const Array<double>& corners, const Array<long>& first) {
   return values;
 }
 
+py::tuple tuple_of(const quantities::Dimension& dimension) {
+  return py::make_tuple(dimension.length, dimension.mass, dimension.time, dimension.si,
+                        dimension.angle);
+}
+
+/// Returns the label, the dimension and whether there is a sign, by name, of the
+/// quantities of blocks, contacts and the model.
+py::dict quantity_kinds() {
+  py::dict kinds;
+  for (const quantities::QuantityKind& kind : quantities::quantity_kinds())
+    kinds[py::str(kind.name)] =
+        py::make_tuple(kind.label + post::sign_convention(kind, false),
+                       tuple_of(kind.dimension), kind.is_signed);
+  for (const auto& [name, kind] : quantities::other_kinds())
+    kinds[py::str(name)] = py::make_tuple(kind.label, tuple_of(kind.dimension), false);
+  return kinds;
+}
+
+/// Returns the unit of a dimension as tuple_of() makes it.
+std::string
+unit_text(const std::tuple<int, int, int, std::string, std::string>& dimension,
+          const std::optional<std::array<std::string, 3>>& units) {
+  const auto& [length, mass, time, si, angle] = dimension;
+  std::optional<Units> names;
+  if (units)
+    names = {(*units)[0], (*units)[1], (*units)[2]};
+  return post::unit_text({length, mass, time, si.c_str(), angle.c_str()}, names);
+}
+
 }  // namespace
 
 void bind_values(py::module_& module) {
+  module.def("_quantity_kinds", &quantity_kinds);
+  module.def("_unit_text", &unit_text, py::arg("dimension"), py::arg("units"));
   module.def("_principal", &principal, py::arg("tensors"), py::arg("sign"));
   module.def("_areas", &areas, py::arg("corners"), py::arg("first_corner"));
 }

@@ -132,6 +132,9 @@ def check(deck: DeckLike, *, seed: int | None = None, set: Mapping[str, Any] | N
     return Assembly(_blocks._check(name, text, seed_of(seed), sets_of(set)))
 
 
+setattr(Deck, "check", check)  # deck.check(...)
+
+
 def _frame(points: np.ndarray, blocks: int, corners: int, units: Sequence[str] | None) -> Deck:
     """Returns the cards before END for blocks around these points."""
     low, high = points.min(axis=0), points.max(axis=0)

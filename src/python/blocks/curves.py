@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,19 +14,16 @@ from numpy.typing import ArrayLike
 
 from .figures import math_text, new_figure
 
-if TYPE_CHECKING:
-    from .histories import History
-
 __all__ = ["Band", "draw_history", "plot_band", "plot_history"]
 
 
 def plot_history(
-    history: History, names: str | Sequence[str] | None = None, ax: Any = None, **options: Any
+    history: Any, names: str | Sequence[str] | None = None, ax: Any = None, **options: Any
 ) -> list[Line2D]:
     """Draws recorded quantities against time, and returns the lines.
 
     Args:
-        history: such as results.history.
+        history: a History, such as results.history.
         names: quantities of the history, with the numbers of the cards: "y:3"; None: all of them.
         ax: the Axes; None: a new figure with a panel for each kind of quantity, one above the other. An array
             of Axes has such panels too.
@@ -43,7 +40,7 @@ def plot_history(
 
 
 def draw_history(
-    history: History, names: Sequence[str], ax: Any, options: Mapping[str, Any], pyplot: bool
+    history: Any, names: Sequence[str], ax: Any, options: Mapping[str, Any], pyplot: bool
 ) -> list[Line2D]:
     """Draws quantities as plot_history() does; pyplot: see new_figure()."""
     values = {name: history[name] for name in names}  # raises KeyError before a figure is made
@@ -75,7 +72,7 @@ def draw_history(
     return lines
 
 
-def _label_of(history: History, names: Sequence[str]) -> str:
+def _label_of(history: Any, names: Sequence[str]) -> str:
     """Returns the label of an axis for several quantities: "y [m]", "energy [J/m]", "[m]"."""
     labels, units = {history.label(name) for name in names}, {history.unit(name) for name in names}
     label = labels.pop() if len(labels) == 1 else ""

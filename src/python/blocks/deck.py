@@ -98,16 +98,6 @@ class Deck:
             _replace_file(os.fspath(path), text)
         return path
 
-    def check(self, **options: Any):
-        """Checks the deck: `blocks.check(deck, ...)`."""
-        from .assembly import check
-        return check(self, **options)
-
-    def run(self, **options: Any):
-        """Runs the deck: `blocks.run(deck, ...)`."""
-        from .running import run
-        return run(self, **options)
-
     def __str__(self) -> str:
         return self.text
 

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from . import _blocks
-
-if TYPE_CHECKING:
-    from .assembly import Assembly
-    from .frames import Frame
 
 __all__ = ["geojson_of_assembly", "geojson_text", "pyvista_mesh"]
 
@@ -24,8 +20,8 @@ def _digits(value: float) -> str:
     return repr(value).removesuffix(".0") if math.isfinite(value) else "null"
 
 
-def geojson_text(frame: Frame) -> str:
-    """Returns the GeoJSON text that `blocks export` writes. Blocks have the numbers of the cards, from 1."""
+def geojson_text(frame: Any) -> str:
+    """Returns the GeoJSON text that `blocks export` writes for a Frame. Blocks are counted from 1."""
     columns: dict[str, Any] = {}
     if len(frame.results.cracks) > 0 and "Parent" in frame:
         columns["parent"] = frame["Parent"].tolist()
@@ -34,12 +30,12 @@ def geojson_text(frame: Frame) -> str:
     return _geojson(frame, columns, f'"time": {_digits(frame.time)},\n')
 
 
-def geojson_of_assembly(assembly: Assembly) -> str:
-    """Returns the GeoJSON text that `blocks export` writes for a deck. Blocks are counted from 1."""
+def geojson_of_assembly(assembly: Any) -> str:
+    """Returns the GeoJSON text that `blocks export` writes for a deck, here an Assembly. Blocks are counted from 1."""
     return _geojson(assembly, {}, "")
 
 
-def _geojson(state: Frame | Assembly, columns: dict[str, Any], head: str) -> str:
+def _geojson(state: Any, columns: dict[str, Any], head: str) -> str:
     """Returns the features of all blocks that are not removed, with further columns of properties."""
     material, is_free = state.material.tolist(), state.is_free.tolist()
     area = _blocks._areas(state.corners, state.first_corner).tolist()
@@ -64,8 +60,8 @@ def _geojson(state: Frame | Assembly, columns: dict[str, Any], head: str) -> str
     return f'{{"type": "FeatureCollection",\n{head}"features": [\n' + ",\n".join(features) + "\n]}\n"
 
 
-def pyvista_mesh(frame: Frame) -> Any:
-    """Returns the blocks that are not removed as a pyvista.PolyData with all cell arrays."""
+def pyvista_mesh(frame: Any) -> Any:
+    """Returns the blocks of a Frame that are not removed as a pyvista.PolyData with all cell arrays."""
     try:
         import pyvista
     except ImportError:

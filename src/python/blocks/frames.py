@@ -20,7 +20,6 @@ from .state_tables import contact_table, crack_count
 
 if TYPE_CHECKING:
     from .drawing import Drawing
-    from .results import Results
 
 __all__ = ["Frame"]
 
@@ -47,7 +46,7 @@ class Frame:
         step: number of the step.
     """
 
-    def __init__(self, results: Results, index: int):
+    def __init__(self, results: Any, index: int):
         self.results = results
         self.index = index
         self.time = float(results.times[index])

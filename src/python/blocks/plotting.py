@@ -22,7 +22,6 @@ from .curves import Band, draw_history, plot_band, plot_history
 from .drawing import Drawing, plot
 from .figures import STYLE, fit_height, new_figure, style
 from .force_lines import force_scale
-from .histories import History
 from .scenes import Scene
 
 __all__ = [
@@ -36,7 +35,7 @@ _MOST_CURVES = 6  # more would not fit a notebook
 def picture(shown: Any) -> bytes:
     """Returns a picture of a Frame, a Simulation, an Assembly or a History for notebooks, as PNG."""
     with matplotlib.rc_context({"figure.figsize": (6.4, 4.0), "font.size": 9.0}):
-        if isinstance(shown, History):
+        if not hasattr(shown, "corners"):  # a History
             figure = draw_history(shown, shown.names[:_MOST_CURVES], None, {}, pyplot=False)[0].figure
         else:
             figure = new_figure(pyplot=False, shape=Scene(shown).shape)

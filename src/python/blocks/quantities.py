@@ -14,12 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _blocks
-from . import dimensions as dim
 from .dimensions import Dimension
 
-__all__ = [
-    "CURVES", "ENERGIES", "QUANTITIES", "Kind", "kind_of", "kind_of_curve", "quantity", "quantity_names",
-]
+__all__ = ["KINDS", "QUANTITIES", "Kind", "kind_of", "kind_of_curve", "quantity", "quantity_names"]
 
 _Floats = NDArray[np.float64]
 
@@ -37,7 +34,7 @@ class Kind:
     """
 
     label: str
-    dimension: Dimension = dim.NONE
+    dimension: Dimension = Dimension()
     zero: str = "none"
     attribute: str = ""
     part: Callable[[NDArray[Any]], NDArray[Any]] = lambda values: values
@@ -56,107 +53,61 @@ def _degrees(angle: _Floats) -> _Floats:
     return angle * (180.0 / math.pi)
 
 
-_TENSION = ", tension positive"
+#: Each quantity of a block, of the contacts or of the model that the program knows, by the name that a HISTORY
+#: card gives it: its label, its dimension, and whether it has a sign.
+KINDS: dict[str, tuple[str, Dimension, bool]] = {
+    name: (label, Dimension(*dimension), is_signed)
+    for name, (label, dimension, is_signed) in _blocks._quantity_kinds().items()
+}
+
+
+def _known(name: str, attribute: str, part: Callable[[Any], Any] = lambda values: values, zero: str = "none") -> Kind:
+    """Returns a kind that the program knows; `zero` is that of a quantity without a sign."""
+    label, dimension, is_signed = KINDS[name]
+    return Kind(label, dimension, "middle" if is_signed else zero, attribute, part)
+
 
 #: The quantities of blocks. Most have the names of `blocks plot --colour`.
 QUANTITIES: dict[str, Kind] = {
-    "speed": Kind("speed", dim.VELOCITY, "lowest", "velocity", _length),
-    "displacement": Kind("displacement", dim.LENGTH, "lowest", "displacement", _length),
-    "rotation": Kind("rotation", dim.DEGREES, "middle", "angle", _degrees),
-    "x": Kind("x", dim.LENGTH, "none", "centroid", _entry(0)),
-    "y": Kind("y", dim.LENGTH, "none", "centroid", _entry(1)),
-    "dx": Kind("displacement x", dim.LENGTH, "middle", "displacement", _entry(0)),
-    "dy": Kind("displacement y", dim.LENGTH, "middle", "displacement", _entry(1)),
-    "vx": Kind("velocity x", dim.VELOCITY, "middle", "velocity", _entry(0)),
-    "vy": Kind("velocity y", dim.VELOCITY, "middle", "velocity", _entry(1)),
-    "spin": Kind("spin", dim.SPIN, "middle", "spin"),
-    "fx": Kind("force x", dim.FORCE, "middle", "force", _entry(0)),
-    "fy": Kind("force y", dim.FORCE, "middle", "force", _entry(1)),
-    "moment": Kind("moment", dim.MOMENT, "middle", "moment"),
-    "p1": Kind("principal stress 1" + _TENSION, dim.STRESS, "middle", "stress", lambda s: _blocks._principal(s, 1.0)),
-    "p2": Kind("principal stress 2" + _TENSION, dim.STRESS, "middle", "stress", lambda s: _blocks._principal(s, -1.0)),
-    "unbalanced": Kind("unbalanced force", dim.FORCE, "lowest", "unbalanced"),
-    "local_ratio": Kind("local ratio", dim.NONE, "lowest", "local_ratio"),
-    "water_x": Kind("force of water x", dim.FORCE, "middle", "water_force", _entry(0)),
-    "water_y": Kind("force of water y", dim.FORCE, "middle", "water_force", _entry(1)),
-    "mass": Kind("mass", dim.MASS, "none", "mass"),
-    "area": Kind("area", dim.AREA, "none", "area"),
-    "inertia": Kind("moment of inertia", dim.INERTIA, "none", "inertia"),
-    "angle": Kind("angle", dim.RADIANS, "middle", "angle"),
-    "velocity": Kind("speed", dim.VELOCITY, "lowest", "velocity", _length),
-    "force": Kind("force", dim.FORCE, "lowest", "force", _length),
-    "contact_force": Kind("contact force", dim.FORCE, "lowest", "contact_force", _length),
+    "speed": _known("speed", "velocity", _length, "lowest"),
+    "displacement": _known("displacement", "displacement", _length, "lowest"),
+    "rotation": _known("rotation", "angle", _degrees),
+    "x": _known("x", "centroid", _entry(0)),
+    "y": _known("y", "centroid", _entry(1)),
+    "dx": _known("dx", "displacement", _entry(0)),
+    "dy": _known("dy", "displacement", _entry(1)),
+    "vx": _known("vx", "velocity", _entry(0)),
+    "vy": _known("vy", "velocity", _entry(1)),
+    "spin": _known("spin", "spin"),
+    "fx": _known("fx", "force", _entry(0)),
+    "fy": _known("fy", "force", _entry(1)),
+    "moment": _known("moment", "moment"),
+    "p1": _known("p1", "stress", lambda tensors: _blocks._principal(tensors, 1.0)),
+    "p2": _known("p2", "stress", lambda tensors: _blocks._principal(tensors, -1.0)),
+    "unbalanced": _known("unbalanced", "unbalanced", zero="lowest"),
+    "local_ratio": _known("local_ratio", "local_ratio", zero="lowest"),
+    "water_x": _known("water_x", "water_force", _entry(0)),
+    "water_y": _known("water_y", "water_force", _entry(1)),
+    "mass": _known("mass", "mass"),
+    "area": _known("area", "area"),
+    "inertia": _known("inertia", "inertia"),
+    "angle": Kind("angle", Dimension(si="rad", angle="rad"), "middle", "angle"),
+    "velocity": _known("speed", "velocity", _length, "lowest"),
+    "force": Kind("force", KINDS["fx"][1], "lowest", "force", _length),
+    "contact_force": Kind("contact force", KINDS["fx"][1], "lowest", "contact_force", _length),
 }
-for _letter, _label, _attribute, _dimension in (
-    ("s", "stress {}" + _TENSION, "stress", dim.STRESS),
-    ("a", "applied stress {}" + _TENSION, "applied_stress", dim.STRESS),
-    ("e", "strain rate {}", "strain_rate", dim.STRAIN_RATE),
-):
-    for _i, _j in ((0, 0), (0, 1), (1, 0), (1, 1)):
-        _index = f"{_i + 1}{_j + 1}"
-        QUANTITIES[_letter + _index] = Kind(
-            _label.format(_index), _dimension, "middle", _attribute, _entry(_i, _j)
-        )
-del QUANTITIES["e21"]  # the same as e12
-
-#: What a HISTORY card can record besides the quantities of blocks.
-CURVES: dict[str, Kind] = {
-    "kinetic_energy": Kind("kinetic energy", dim.ENERGY),
-    "momentum_x": Kind("momentum x", dim.MOMENTUM),
-    "momentum_y": Kind("momentum y", dim.MOMENTUM),
-    "angular_momentum": Kind("angular momentum", dim.ANGULAR_MOMENTUM),
-    "contacts": Kind("contacts"),
-    "normal_force": Kind("normal contact force", dim.FORCE),
-    "shear_force": Kind("shear contact force", dim.FORCE),
-    "overlap": Kind("overlap", dim.LENGTH),
-    "bonded": Kind("bonded contacts"),
-    "failed": Kind("failed contacts"),
-    "slip": Kind("slip", dim.LENGTH),
-    "dilation": Kind("dilation", dim.LENGTH),
-    "joint_length": Kind("length in contact", dim.LENGTH),
-    "normal_stress": Kind("normal stress", dim.STRESS),
-    "shear_stress": Kind("shear stress", dim.STRESS),
-    "t": Kind("time", dim.TIME),
-    "time": Kind("time", dim.TIME),
-    "step": Kind("step"),
-    "blocks": Kind("blocks"),
-    "cracks": Kind("cracks"),
-    "unbalanced_ratio": Kind("ratio of the unbalanced forces"),
-    "unbalanced:local": Kind("largest local ratio"),
-}
-
-#: Labels of the quantities "energy:...".
-ENERGIES: dict[str, str] = {
-    "start": "energy at the start",
-    "gravity": "work of gravity",
-    "loads": "work of loads",
-    "water": "work of water",
-    "drives": "work of driven blocks",
-    "dilation": "work of dilation",
-    "kinetic": "kinetic energy",
-    "elastic": "energy of springs",
-    "strain": "strain energy of blocks",
-    "friction": "energy taken by friction",
-    "dashpots": "energy taken by dashpots",
-    "breaking": "energy taken by breaking",
-    "hysteresis": "energy taken by hysteresis",
-    "transfer": "energy lost in transfers of springs",
-    "removed": "energy removed",
-    "artificial": "energy taken by artificial damping",
-    "quiet": "energy through quiet sides",
-    "cracks": "energy released by cracks",
-    "integration": "error of the integration",
-    "residual": "residual of the energies",
-    "at_play": "energy at play",
-}
+for _letter, _attribute in ("s", "stress"), ("a", "applied_stress"), ("e", "strain_rate"):
+    for _i, _j in (0, 0), (0, 1), (1, 0), (1, 1):
+        _name = f"{_letter}{_i + 1}{_j + 1}"
+        if _name in KINDS:  # e21 is the same as e12
+            QUANTITIES[_name] = _known(_name, _attribute, _entry(_i, _j))
 
 
 def kind_of_curve(name: str) -> Kind:
-    """Returns the kind of a quantity of HISTORY, such as "y:3" or "energy:friction"."""
-    quantity, _, place = name.partition(":")
-    if quantity == "energy" and place in ENERGIES:
-        return Kind(ENERGIES[place], dim.ENERGY)
-    return CURVES.get(name) or QUANTITIES.get(quantity) or CURVES.get(quantity) or Kind(quantity)
+    """Returns the kind of a quantity of HISTORY, such as "y:3" or "energy:friction"; "t" is the time."""
+    quantity = name.partition(":")[0]
+    known = KINDS.get("time" if name == "t" else name) or KINDS.get(quantity)
+    return Kind(*known[:2]) if known else Kind(quantity)
 
 
 def kind_of(name: str) -> Kind:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _blocks
+from .deck import Deck
 from .errors import BlocksError, FileError, UnsoundRun
 from .inputs import DeckLike, name_and_text, seed_of, sets_of, whole
 from .notebooks import html_of
@@ -103,3 +104,6 @@ def run(deck: DeckLike, out: str | os.PathLike | None = None, *, seed: int | Non
     if code not in (0, _TIME_LIMIT):
         raise BlocksError(f"{deck_name}: the run ended with code {code}")
     return Run(name)
+
+
+setattr(Deck, "run", run)  # deck.run(...)
