@@ -61,16 +61,8 @@ std::string completion_of(const CLI::Option& option) {
       {"--restart", "_blocks_files h5"},
       {"--colour",
        "_blocks_words material joint " + blanks(quantities::block_quantity_names())},
-      {"--dblock", "_blocks_files"},
-      {"--sshloginfile", "_blocks_files"},
       {"--table", "_blocks_files csv"},
-      {"--tape9", "_blocks_files"},
-      {"--outline", "_blocks_files"},
       {"--output", "_blocks_files"},
-      {"--plot", "_blocks_files"},
-      {"--deck", "_blocks_files"},
-      {"--figure", "_blocks_files"},
-      {"--run-table", "_blocks_files"},
       {"--profile-quantity", "_blocks_words " + blanks(quantities::quantity_names())},
       {"--quantity", "_blocks_words " + blanks(quantities::quantity_names()) + " " +
                          quantities_of_model()}};
@@ -81,7 +73,7 @@ std::string completion_of(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames())
     if (const auto found = known.find("--" + name); found != known.end())
       return found->second;
-  return ":";
+  return value_name(option) == "FILE" ? "_blocks_files" : ":";
 }
 
 /// Returns the bash command that completes the operands of a command.

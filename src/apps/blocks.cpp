@@ -7,12 +7,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "bundled_fonts.hpp"
@@ -49,13 +52,14 @@
 #endif
 #endif
 
+namespace blocks::apps {
 namespace {
 
-using blocks::run::RunOptions;
+using run::RunOptions;
 
 /// Reads an option --set.
-blocks::deck::Override override_of(const std::string& text) {
-  if (const auto override = blocks::deck::parse_override(text))
+deck::Override override_of(const std::string& text) {
+  if (const auto override = deck::parse_override(text))
     return *override;
   throw CLI::ValidationError(
       "--set",
@@ -77,7 +81,7 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command
       .add_option("--seed", options.seed,
                   "seed of the random layers; replaces that of the SEED card")
-      ->check(blocks::apps::seed_number());
+      ->check(seed_number());
   command.add_option("--tape9", options.tape9,
                      "mesh file for a READ9 card that names none");
   command.add_option("--restart", options.restart,
@@ -132,7 +136,7 @@ void add_run_options(CLI::App& command, RunOptions& options,
   command
       .add_option("--time-limit", options.time_limit,
                   "stop after this many seconds, exit 75")
-      ->check(blocks::apps::positive_number());
+      ->check(positive_number());
   command
       .add_option("--stop-after", options.stop_after,
                   "stop after this many steps, exit 75")
@@ -140,7 +144,7 @@ void add_run_options(CLI::App& command, RunOptions& options,
   command
       .add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints (default: 600)")
-      ->check(blocks::apps::positive_number());
+      ->check(positive_number());
   command
       .add_option("-j,--threads", options.threads,
                   "number of threads (default: all cores); does not change results")
@@ -165,6 +169,44 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
+/// The commands whose options nothing else needs, and what each of them does.
+class Commands {
+ public:
+  /// Adds a command to the program or to another command. If it is given, perform()
+  /// calls act(options) with the options that add_options() adds.
+  template <class Options, class Act>
+  CLI::App& add(CLI::App& parent, const char* name, const char* description,
+                void (*add_options)(CLI::App&, Options&), const Act& act) {
+    CLI::App& command = *parent.add_subcommand(name, description);
+    const auto options = std::make_shared<Options>();
+    add_options(command, *options);
+    all_.push_back({&command, [options, act] { return act(*options); }});
+    return command;
+  }
+  /// Performs the command that is given, and returns its exit code; nullopt if none of
+  /// these is given.
+  std::optional<int> perform() const {
+    for (const auto& [command, act] : all_)
+      if (command->parsed())
+        return act();
+    return std::nullopt;
+  }
+
+ private:
+  std::vector<std::pair<const CLI::App*, std::function<int()>>> all_;
+};
+
+/// Tells that `blocks study` needs the name of a study. Returns the exit code.
+int tell_no_study(const std::vector<std::string>& extras) {
+  fmt::print(stderr,
+             "blocks: error: {}\n  hint: blocks study contacts SCENE; "
+             "blocks study contacts --list\n",
+             extras.empty() ? "the name of the study is missing"
+                            : "there is no study '" + extras.front() +
+                                  "'; the only one is contacts");
+  return run::usage_error;
+}
+
 int dispatch(std::vector<std::string> words) {
   std::vector<char*> pointers;
   for (std::string& word : words)
@@ -173,7 +215,7 @@ int dispatch(std::vector<std::string> words) {
   char** const argv = pointers.data();
   CLI::App app("BLOCKS computes how jointed rock moves, as polygonal blocks in two "
                "dimensions. A deck of cards describes the problem.");
-  app.formatter(std::make_shared<blocks::apps::HelpPage>());
+  app.formatter(std::make_shared<HelpPage>());
   app.set_version_flag("--version", "blocks " BLOCKS_VERSION);
   app.require_subcommand(1);
 
@@ -184,91 +226,67 @@ int dispatch(std::vector<std::string> words) {
   run->add_option("--until", options.until,
                   "end the run at this time of the deck; with --restart, continue a "
                   "finished or stopped run to this later time")
-      ->check(blocks::apps::positive_number());
+      ->check(positive_number());
   run->add_flag("--audit{100}", options.audit_every,
                 "check the contacts by exact brute force, every 100 steps or, with "
                 "--audit=N, every N; exit 4 if a decision is wrong")
-      ->check(blocks::apps::whole_steps());
+      ->check(whole_steps());
 
-  blocks::apps::FosOptions fos_options;
   auto* fos = app.add_subcommand("fos", "find the factor of safety of a deck");
   add_run_options(*fos, options, sets);
-  blocks::apps::add_fos_options(*fos, fos_options);
+  FosOptions fos_options;
+  add_fos_options(*fos, fos_options);
 
-  auto* check =
+  auto* check_deck =
       app.add_subcommand("check", "check a deck and its blocks without running it");
-  add_deck_options(*check, options, sets);
-  check->add_option("-o,--output", options.output, "output NAME, to find NAME.ckpt.h5")
+  add_deck_options(*check_deck, options, sets);
+  check_deck
+      ->add_option("-o,--output", options.output, "output NAME, to find NAME.ckpt.h5")
       ->type_name("NAME");
-  blocks::apps::GeometryOptions geometry_options;
-  blocks::apps::add_geometry_options(*check, geometry_options);
+  GeometryOptions geometry_options;
+  add_geometry_options(*check_deck, geometry_options);
 
-  blocks::apps::CardsOptions cards_options;
-  auto* reference = app.add_subcommand("cards", "describe the cards of a deck");
-  blocks::apps::add_cards_options(*reference, cards_options);
-
-  blocks::apps::PlotOptions plot_options;
-  auto* plot = app.add_subcommand("plot", "draw figures and movies of a run");
-  blocks::apps::add_plot_options(*plot, plot_options);
-
-  blocks::apps::HistoryOptions history_options;
-  auto* in_time =
-      app.add_subcommand("history", "plot quantities against time or position");
-  blocks::apps::add_history_options(*in_time, history_options);
-
-  blocks::apps::CracksOptions cracks_options;
-  auto* record = app.add_subcommand("cracks", "list the blocks that have split");
-  blocks::apps::add_cracks_options(*record, cracks_options);
-
-  blocks::apps::ViewOptions view_options;
-  auto* page =
-      app.add_subcommand("view", "write a page that plays a run in the browser");
-  blocks::apps::add_view_options(*page, view_options);
-
-  blocks::apps::ReportOptions report_options;
-  auto* statistics =
-      app.add_subcommand("report", "write the statistics of a sweep as a page");
-  blocks::apps::add_report_options(*statistics, report_options);
-
-  blocks::apps::ImportOptions import_options;
-  auto* import =
-      app.add_subcommand("import", "convert outlines of other programs for READ9");
-  blocks::apps::add_import_options(*import, import_options);
-
-  blocks::apps::ExportOptions export_options;
-  auto* to_others =
-      app.add_subcommand("export", "write blocks and results for other programs");
-  blocks::apps::add_export_options(*to_others, export_options);
-  add_set_option(*to_others, sets);
-
-  blocks::apps::JointsOptions joints_options;
+  Commands commands;
+  commands.add(app, "cards", "describe the cards of a deck", add_cards_options, cards);
+  commands.add(app, "plot", "draw figures and movies of a run", add_plot_options, plot);
+  commands.add(app, "history", "plot quantities against time or position",
+               add_history_options, history);
+  commands.add(app, "cracks", "list the blocks that have split", add_cracks_options,
+               cracks);
+  commands.add(app, "view", "write a page that plays a run in the browser",
+               add_view_options, view);
+  commands.add(app, "report", "write the statistics of a sweep as a page",
+               add_report_options, report);
+  commands.add(app, "import", "convert outlines of other programs for READ9",
+               add_import_options, import_blocks);
+  // Calls a command whose input is a deck or a map, with the options --set.
+  const auto with_overrides = [&options](auto act) {
+    return [&options, act](auto& given) {
+      given.input.overrides = options.overrides;
+      return act(given);
+    };
+  };
+  add_set_option(commands.add(app, "export",
+                              "write blocks and results for other programs",
+                              add_export_options, with_overrides(export_blocks)),
+                 sets);
   auto* joints = app.add_subcommand("joints", "describe maps of fracture traces");
   joints->require_subcommand(1);
-  auto* joint_numbers =
-      joints->add_subcommand("statistics", "measure maps of fracture traces");
-  blocks::apps::add_joint_statistics_options(*joint_numbers, joints_options);
-  add_set_option(*joint_numbers, sets);
-  auto* joint_fit =
-      joints->add_subcommand("fit", "propose joint sets for a map, as a deck");
-  blocks::apps::add_joint_fit_options(*joint_fit, joints_options);
-  add_set_option(*joint_fit, sets);
-
-  blocks::apps::StudyOptions study_options;
+  add_set_option(commands.add(*joints, "statistics", "measure maps of fracture traces",
+                              add_joint_statistics_options,
+                              with_overrides(joint_statistics)),
+                 sets);
+  add_set_option(commands.add(*joints, "fit", "propose joint sets for a map, as a deck",
+                              add_joint_fit_options, with_overrides(fit_joints)),
+                 sets);
   auto* study = app.add_subcommand("study", "measure how robust contact detection is");
-  auto* contacts =
-      study->add_subcommand("contacts", "compare variants of the contact rules");
-  blocks::apps::add_study_options(*contacts, study_options);
-  blocks::apps::WhyOptions why_options;
-  auto* why = app.add_subcommand("why", "explain why two blocks touch or do not");
-  blocks::apps::add_why_options(*why, why_options);
-
-  blocks::apps::SweepOptions sweep_options;
-  auto* many = app.add_subcommand("sweep", "run a deck many times");
-  blocks::apps::add_sweep_options(*many, sweep_options);
-
-  blocks::apps::ManualOptions manual_options;
-  auto* manual = app.add_subcommand("manual", "print man pages and bash completion");
-  blocks::apps::add_manual_options(*manual, manual_options);
+  commands.add(*study, "contacts", "compare variants of the contact rules",
+               add_study_options, study_contacts);
+  commands.add(app, "why", "explain why two blocks touch or do not", add_why_options,
+               why);
+  commands.add(app, "sweep", "run a deck many times", add_sweep_options, sweep);
+  commands.add(app, "manual", "print man pages and bash completion", add_manual_options,
+               [&app](const ManualOptions& given) { return manual(app, given); });
 
   // Commands inherit the footer that the program has when they are added.
   app.footer("Exit codes: 0 done, 1 internal error, 2 usage error, 3 deck or geometry "
@@ -283,67 +301,29 @@ int dispatch(std::vector<std::string> words) {
       throw CLI::ValidationError("--audit: a number of steps is missing after =");
     for (const std::string& text : sets)
       options.overrides.push_back(override_of(text));
-    export_options.input.overrides = options.overrides;
-    joints_options.input.overrides = options.overrides;
   } catch (const CLI::ParseError& error) {
     const bool is_fault = error.get_exit_code() != 0;
     if (is_fault && astray_from_audit(app).empty())
-      if (const std::string fault = blocks::apps::tell_wrong_word(app, argc, argv);
-          !fault.empty()) {
+      if (const std::string fault = tell_wrong_word(app, argc, argv); !fault.empty()) {
         std::cerr << fault << std::flush;
-        return blocks::run::usage_error;
+        return run::usage_error;
       }
-    return app.exit(error) == 0 ? blocks::run::done : blocks::run::usage_error;
+    return app.exit(error) == 0 ? run::done : run::usage_error;
   }
 
   if (*run) {
-    blocks::apps::outlive_broken_pipes();
+    outlive_broken_pipes();
     options.ends_process = true;
-    return blocks::run::run_deck(options);
+    return run::run_deck(options);
   }
   if (*fos) {
-    blocks::apps::outlive_broken_pipes();
-    return blocks::apps::find_factor_of_safety(options, fos_options);
+    outlive_broken_pipes();
+    return find_factor_of_safety(options, fos_options);
   }
-  if (*check)
-    return blocks::apps::check(options, geometry_options);
-  if (*reference)
-    return blocks::apps::cards(cards_options);
-  if (*in_time)
-    return blocks::apps::history(history_options);
-  if (*record)
-    return blocks::apps::cracks(cracks_options);
-  if (*page)
-    return blocks::apps::view(view_options);
-  if (*statistics)
-    return blocks::apps::report(report_options);
-  if (*import)
-    return blocks::apps::import_blocks(import_options);
-  if (*to_others)
-    return blocks::apps::export_blocks(export_options);
-  if (*joint_numbers)
-    return blocks::apps::joint_statistics(joints_options);
-  if (*joint_fit)
-    return blocks::apps::fit_joints(joints_options);
-  if (*contacts)
-    return blocks::apps::study_contacts(study_options);
-  if (*study) {
-    const auto extras = study->remaining();
-    fmt::print(stderr,
-               "blocks: error: {}\n  hint: blocks study contacts SCENE; "
-               "blocks study contacts --list\n",
-               extras.empty() ? "the name of the study is missing"
-                              : "there is no study '" + extras.front() +
-                                    "'; the only one is contacts");
-    return blocks::run::usage_error;
-  }
-  if (*many)
-    return blocks::apps::sweep(sweep_options);
-  if (*manual)
-    return blocks::apps::manual(app, manual_options);
-  if (*why)
-    return blocks::apps::why(why_options);
-  return blocks::apps::plot(plot_options);
+  if (*check_deck)
+    return check(options, geometry_options);
+  const std::optional<int> code = commands.perform();
+  return code ? *code : tell_no_study(study->remaining());
 }
 
 /// Does not use fmt::print, which throws if standard error cannot be written.
@@ -353,7 +333,7 @@ void tell(const char* kind, const char* what) {
 
 int tell_no_memory() {
   tell("error", "there is not enough memory for this problem");
-  return blocks::run::internal_error;
+  return run::internal_error;
 }
 
 /// Handles std::terminate. Memory can run out in a destructor; the files are complete
@@ -370,44 +350,45 @@ int tell_no_memory() {
 }
 
 }  // namespace
+}  // namespace blocks::apps
 
 int main(int argc, char** argv) {
-  using blocks::apps::end_standard_output;
-  blocks::apps::hold_standard_streams();
-  if (const std::string fault = blocks::geometry::check_numeric_environment();
-      !fault.empty()) {
+  using namespace blocks;
+  using namespace blocks::apps;
+  hold_standard_streams();
+  if (const std::string fault = geometry::check_numeric_environment(); !fault.empty()) {
     tell("error", fault.c_str());
-    return blocks::run::internal_error;
+    return run::internal_error;
   }
   std::set_terminate(end_at_once);
-  blocks::apps::use_bundled_fonts();
+  use_bundled_fonts();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
 #if !defined(BLOCKS_SANITIZED)    // a sanitizer reports more
-  blocks::output::tell_crashes_of_files(blocks::run::file_error);
+  output::tell_crashes_of_files(run::file_error);
 #endif
   try {
-    blocks::dynamics::kernels();
+    dynamics::kernels();
   } catch (const std::invalid_argument& error) {
     tell("error", error.what());
-    return blocks::run::usage_error;
+    return run::usage_error;
   }
   try {
     return end_standard_output(dispatch(words_of(argc, argv)));
-  } catch (const blocks::output::FileError& error) {
+  } catch (const output::FileError& error) {
     tell("error", error.what());
-    return blocks::run::file_error;
+    return run::file_error;
   } catch (const std::bad_alloc&) {
     return tell_no_memory();
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) == 0 && std::ferror(stderr) == 0) {
       tell("internal error", error.what());
-      return blocks::run::internal_error;
+      return run::internal_error;
     }
     tell("error",
          ("cannot write to the terminal or pipe: " + error.code().message()).c_str());
-    return blocks::run::file_error;
+    return run::file_error;
   } catch (const std::exception& error) {
     tell("internal error", error.what());
-    return blocks::run::internal_error;
+    return run::internal_error;
   }
 }

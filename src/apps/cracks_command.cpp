@@ -94,8 +94,7 @@ void write_cracks(const std::string& path, const ShownCracks& shown,
     write_text_file(path, post::json_text(shown.table()));
   } else {
     post::FigureOptions figure;
-    figure.page = options.size.empty() ? draw::PageSize::on_screen(options.width)
-                                       : draw::PageSize::in_print(options.size);
+    figure.page = options.size.page();
     figure.title = options.title;
     figure.units = shown.results.units();
     if (shown.cracks.empty())
@@ -126,17 +125,10 @@ void add_cracks_options(CLI::App& command, CracksOptions& options) {
       ->excludes(csv);
   command.add_option("--from", options.from, "first time");
   command.add_option("--to", options.to, "last time");
-  command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s: values are "
-                     "converted if the deck has a UNITS card, otherwise the units are "
-                     "only named");
+  add_units_option(command, options.units);
   command.add_option("--title", options.title,
                      "title of a figure instead of that of the deck; '' for none");
-  auto* width = command
-                    .add_option("--width", options.width,
-                                "width of a figure, in pixels or points")
-                    ->check(CLI::Range(100, 20000));
-  command.add_option("--size", options.size, draw::PageSize::help())->excludes(width);
+  add_size_options(command, options.size);
 }
 
 int cracks(const CracksOptions& options) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "common_options.hpp"
+
 namespace blocks::apps {
 
 struct CracksOptions {
@@ -17,8 +19,7 @@ struct CracksOptions {
   bool csv = false, json = false;    ///< print in this format
   std::optional<std::string> title;  ///< of a figure; empty: that of the run
   std::string units;                 ///< "m,kg,s"
-  double width = 1200;               ///< of a figure, in pixels or points
-  std::string size;                  ///< of a figure in print, "85mm"; empty: width
+  FigureSize size;                   ///< of a figure
 };
 
 void add_cracks_options(CLI::App& command, CracksOptions& options);

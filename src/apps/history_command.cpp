@@ -8,12 +8,12 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "draw/chart/line_chart.hpp"
 #include "draw/number_text.hpp"
 #include "history_lines.hpp"
+#include "open_run.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/chart/history.hpp"
@@ -30,45 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 using post::NumberTable;
 
-/// The results of one run in the order of time.
-class OpenRun {
- public:
-  OpenRun(const post::RunParts& run, const std::optional<Units>& units,
-          bool compression_positive) {
-    for (const std::string& file : run.files) {
-      parts_.push_back(std::make_unique<post::ResultsReader>(file));
-      if (units)
-        parts_.back()->show_in(*units);
-      if (compression_positive)
-        parts_.back()->make_compression_positive();
-    }
-  }
-  std::vector<const post::ResultsReader*> parts() const {
-    std::vector<const post::ResultsReader*> all;
-    for (const auto& part : parts_)
-      all.push_back(part.get());
-    return all;
-  }
-  /// The numbers of the materials that have a name.
-  quantities::MaterialNumbers material_numbers() const {
-    quantities::MaterialNumbers numbers;
-    for (const auto& [number, name] : first().material_names())
-      numbers[name] = number;
-    return numbers;
-  }
-  const post::ResultsReader& first() const { return *parts_.front(); }
-  const post::ResultsReader& last() const { return *parts_.back(); }
-  /// Returns the latest part that has begun at this time, or the first one.
-  const post::ResultsReader& at(double time) const {
-    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part)
-      if ((*part)->times().front() <= time)
-        return **part;
-    return first();
-  }
-
- private:
-  std::vector<std::unique_ptr<post::ResultsReader>> parts_;
-};
+std::string with_unit(const std::string& label, const std::string& unit) {
+  return unit.empty() ? label : label + " [" + unit + "]";
+}
 
 /// Returns "tension positive" or "compression positive" for a stress, otherwise an
 /// empty text.
@@ -349,10 +313,7 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
   auto* csv = command.add_flag("--csv", options.csv, "print CSV instead of the table");
   command.add_flag("--json", options.json, "print JSON instead of the table")
       ->excludes(csv);
-  command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s: values are "
-                     "converted if the deck has a UNITS card, otherwise the units are "
-                     "only named");
+  add_units_option(command, options.units);
   command.add_option("--title", options.title,
                      "title of a figure instead of those of the decks; '' for none");
   command.add_flag("--compression-positive", options.compression_positive,
@@ -363,11 +324,7 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
       "95 % if there are more than 8 runs)");
   command.add_flag("--paths", options.paths,
                    "write the paths of the results under the title of a figure");
-  auto* width = command
-                    .add_option("--width", options.width,
-                                "width of a figure, in pixels or points")
-                    ->check(CLI::Range(100, 20000));
-  command.add_option("--size", options.size, draw::PageSize::help())->excludes(width);
+  add_size_options(command, options.size);
   command.footer("Quantities " + quantities::history_help());
 }
 
@@ -398,9 +355,7 @@ int history(HistoryOptions options) {
                                "symmetry plane of a half model");
     check_names(options.outputs);
     const std::optional<Units> units = common_units(options);
-    const draw::PageSize page = options.size.empty()
-                                    ? draw::PageSize::on_screen(options.width)
-                                    : draw::PageSize::in_print(options.size);
+    const draw::PageSize page = options.size.page();
     const Answer answer =
         options.profile.empty() ? histories(options, units) : profiles(options, units);
     if (options.outputs.empty())

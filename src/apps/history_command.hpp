@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "common_options.hpp"
+
 namespace blocks::apps {
 
 struct HistoryOptions {
@@ -26,8 +28,7 @@ struct HistoryOptions {
   bool each_run = false;  ///< no bands
   bool paths = false;     ///< write the paths of the results in a figure
   std::string units;      ///< "m,kg,s"
-  double width = 1200;    ///< of a figure, in pixels or points
-  std::string size;       ///< of a figure in print, "85mm"; empty: width
+  FigureSize size;        ///< of a figure
 };
 
 void add_history_options(CLI::App& command, HistoryOptions& options);

@@ -144,11 +144,7 @@ void add_joint_statistics_options(CLI::App& command, JointsOptions& options) {
       ->take_all();
   command.add_flag("--json", options.json,
                    "print all numbers as JSON instead of the table");
-  auto* width = command
-                    .add_option("--width", options.width,
-                                "width of a figure, in pixels or points")
-                    ->check(CLI::Range(100, 20000));
-  command.add_option("--size", options.size, draw::PageSize::help())->excludes(width);
+  add_size_options(command, options.size);
 }
 
 void add_joint_fit_options(CLI::App& command, JointsOptions& options) {
@@ -177,9 +173,7 @@ int joint_statistics(const JointsOptions& options) {
       how.scanlines.push_back(scanline_of(line));
     check_endings(options.outputs, {".json", ".png", ".svg", ".pdf"},
                   ".json, .png, .svg or .pdf");
-    const draw::PageSize page = options.size.empty()
-                                    ? draw::PageSize::on_screen(options.width)
-                                    : draw::PageSize::in_print(options.size);
+    const draw::PageSize page = options.size.page();
     check_joint_outputs(options, options.outputs);
     const ReadMaps read = read_maps(options.input);
     if (read.code != run::done)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common_options.hpp"
 #include "joint_maps.hpp"
 
 namespace blocks::apps {
@@ -15,8 +16,7 @@ struct JointsOptions {
   std::vector<std::string> scanlines;  ///< "x1,y1,x2,y2"
   std::vector<std::string> outputs;    ///< files; empty: print a table
   bool json = false;                   ///< print JSON instead of the table
-  double width = 1200;                 ///< of a figure, in pixels or points
-  std::string size;                    ///< of a figure in print, "85mm"; empty: width
+  FigureSize size;                     ///< of a figure
   std::string deck;  ///< of the fit; empty: the name of the input with .deck, here
 };
 

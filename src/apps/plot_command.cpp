@@ -16,6 +16,7 @@
 #include "draw/number_text.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
+#include "plot_frames.hpp"
 #include "post/chart/joints_figure.hpp"
 #include "post/figure/figure_scales.hpp"
 #include "post/figure/movie.hpp"
@@ -27,65 +28,6 @@
 
 namespace blocks::apps {
 namespace {
-
-/// Returns the frames between --from and --to. Throws std::runtime_error if there are
-/// none.
-std::vector<long> frames_between(const post::ResultsReader& results,
-                                 const PlotOptions& options) {
-  const auto& times = results.times();
-  const double from = options.from.value_or(times.front()),
-               to = options.to.value_or(times.back());
-  std::vector<long> found;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    if (times[i] >= from && times[i] <= to)
-      found.push_back(static_cast<long>(i));
-  if (found.empty())
-    throw std::runtime_error(
-        fmt::format("{} has times {:g} to {:g}, none between {:g} and {:g}",
-                    results.path(), times.front(), times.back(), from, to));
-  return found;
-}
-
-/// Returns the frames at `count` evenly spaced times without duplicates.
-std::vector<long> spread(const post::ResultsReader& results,
-                         const std::vector<long>& among, int count) {
-  const auto& times = results.times();
-  const double from = times[static_cast<std::size_t>(among.front())],
-               to = times[static_cast<std::size_t>(among.back())];
-  std::vector<long> chosen;
-  for (int k = 0; k < count; ++k) {
-    const double at = count == 1 ? to : from + (to - from) * k / (count - 1);
-    if (const long i = results.nearest(at); chosen.empty() || chosen.back() != i)
-      chosen.push_back(i);
-  }
-  return chosen;
-}
-
-/// Returns every `every`-th frame, and the last.
-std::vector<long> thinned(const std::vector<long>& among, int every) {
-  std::vector<long> chosen;
-  for (std::size_t i = 0; i < among.size(); ++i)
-    if (i % static_cast<std::size_t>(every) == 0 || i + 1 == among.size())
-      chosen.push_back(among[i]);
-  return chosen;
-}
-
-std::vector<long> chosen_frames(const post::ResultsReader& results,
-                                const PlotOptions& options) {
-  if (!options.times.empty()) {
-    std::vector<long> frames;
-    frames.reserve(options.times.size());
-    for (const double time : options.times)
-      frames.push_back(results.at(time));
-    return frames;
-  }
-  const std::vector<long> between = frames_between(results, options);
-  if (options.sheet > 0)
-    return spread(results, between, options.sheet);
-  if (post::is_movie(options.output))
-    return thinned(between, options.every.value_or(1));
-  return {between.back()};
-}
 
 /// Prints the times of the frames that differ from those asked for. A figure in print
 /// has only its own times.
@@ -137,7 +79,7 @@ void check_combinations(const PlotOptions& options) {
   const bool movie = post::is_movie(options.output);
   const bool sheet = !movie && (options.sheet > 0 || options.times.size() > 1);
   const std::string a_movie = " is for a movie: -o NAME.mp4 or NAME.gif";
-  refuse(!options.size.empty() && movie,
+  refuse(!options.size.size.empty() && movie,
          "--size is for a figure; choose the width of a movie with --width");
   refuse(options.every && !movie, "--every" + a_movie);
   refuse(options.rate && !movie, "--rate" + a_movie);
@@ -234,8 +176,7 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
                            "shear_displacement", "water_pressure"})
     if (deck::capitals(figure.colour) == deck::capitals(name))
       figure.colour = name;
-  figure.page = options.size.empty() ? draw::PageSize::on_screen(options.width)
-                                     : draw::PageSize::in_print(options.size);
+  figure.page = options.size.page();
 }
 
 }  // namespace
@@ -336,16 +277,13 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->expected(4)
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s: values are "
-                     "converted if the deck has a UNITS card, otherwise the units are "
-                     "only named");
+  add_units_option(command, options.units);
   auto* width = command
-                    .add_option("--width", options.width,
+                    .add_option("--width", options.size.width,
                                 "width of the figure, in pixels or points")
                     ->check(CLI::Range(100, 20000))
                     ->capture_default_str();
-  auto* size = command.add_option("--size", options.size, draw::PageSize::help())
+  auto* size = command.add_option("--size", options.size.size, draw::PageSize::help())
                    ->excludes(width);
   command.add_flag(
       "--joints", options.joints,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common_options.hpp"
 #include "post/figure/figure.hpp"
 
 namespace blocks::apps {
@@ -25,9 +26,8 @@ struct PlotOptions {
   std::string units;                   ///< "m,kg,s"
   std::vector<std::string> materials;  ///< "1=RED", "2=#8fa88b"
   bool compression_positive = false;
-  double width = 1200;      ///< in pixels or points
+  FigureSize size;
   std::string arrow_scale;  ///< "0.01", "p90"; empty: the largest value
-  std::string size;         ///< in print, "85mm"; empty: width
   std::string dblock;       ///< file of DBLOCK cards; empty: none
   bool joints = false;      ///< draw a rose and histograms instead of the blocks
   post::FigureOptions figure;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "common_options.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "quantities/quantity.hpp"
@@ -178,10 +179,7 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
                   "2000 runs, then the log)")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s: values are "
-                     "converted if the deck has a UNITS card, otherwise the units are "
-                     "only named");
+  add_units_option(command, options.units);
   command.add_option("--size", options.size, draw::PageSize::help());
   command.add_option("--title", options.title,
                      "title of the page instead of that of the deck");

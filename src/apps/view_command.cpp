@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "common_options.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/page/view_page.hpp"
@@ -23,10 +24,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       ->check(CLI::Range(1L, 1000000000L));
   command.add_option("--mirror", options.mirror,
                      "also show the other half, mirrored about this x");
-  command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s: values are "
-                     "converted if the deck has a UNITS card, otherwise the units are "
-                     "only named");
+  add_units_option(command, options.units);
 }
 
 int view(ViewOptions options) {
