@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "exchange/geographic_crs.hpp"
-#include "exchange/json_tree.hpp"
+#include "exchange/geojson_nodes.hpp"
 #include "exchange/ring.hpp"
 
 namespace blocks::exchange {
@@ -29,7 +29,7 @@ class Reader {
   OutlineFile read() {
     try {
       const Json root = parse_json(text_);
-      if (!expect(root, Json::Kind::object, "the file"))
+      if (!nodes_.expect(root, Json::Kind::object, "the file"))
         return rings_.finish("GeoJSON");
       object(root, {});
       if (const auto name = geographic_crs(root); name && rings_.could_be_degrees())
@@ -46,25 +46,9 @@ class Reader {
  private:
   std::string_view text_;
   RingReader rings_;
+  GeoJsonNodes<RingReader> nodes_{rings_};
   const Json* used_joints_ = nullptr;  ///< property that the last polygon used
   std::map<long, std::string> names_;
-
-  bool expect(const Json& node, Json::Kind kind, const std::string& what) {
-    if (node.kind == kind)
-      return true;
-    rings_.error(node.at, fmt::format("{}: expected {}, found {}", what, name_of(kind),
-                                      name_of(node.kind)));
-    return false;
-  }
-
-  /// Returns the member if it is of this kind; otherwise reports an error and returns
-  /// null.
-  const Json* member(const Json& object, const std::string& key, Json::Kind kind) {
-    const Json* found = object.find(key);
-    if (!found)
-      rings_.error(object.at, fmt::format("\"{}\" is missing", key));
-    return found && expect(*found, kind, "\"" + key + "\"") ? found : nullptr;
-  }
 
   void object(const Json& node, const Properties& properties);
   void feature(const Json& node);
@@ -76,16 +60,16 @@ class Reader {
 };
 
 void Reader::object(const Json& node, const Properties& properties) {
-  const Json* type = member(node, "type", Json::Kind::string);
+  const Json* type = nodes_.member(node, "type", Json::Kind::string);
   if (!type)
     return;
   const auto each = [&](const std::string& key, auto&& action) {
-    if (const Json* list = member(node, key, Json::Kind::array))
+    if (const Json* list = nodes_.member(node, key, Json::Kind::array))
       for (const Json& item : list->items)
         action(item);
   };
   const auto as_object = [&](const Json& item, const Properties& with) {
-    if (expect(item, Json::Kind::object, type->text))
+    if (nodes_.expect(item, Json::Kind::object, type->text))
       object(item, with);
   };
   if (type->text == "FeatureCollection")
@@ -99,7 +83,7 @@ void Reader::object(const Json& node, const Properties& properties) {
   else if (type->text != "Polygon")
     rings_.error(node.at, fmt::format("{} cannot be a block", type->text.substr(0, 40)),
                  "use Polygon, MultiPolygon or collections of them");
-  else if (const Json* rings = member(node, "coordinates", Json::Kind::array))
+  else if (const Json* rings = nodes_.member(node, "coordinates", Json::Kind::array))
     polygon(*rings, properties);
 }
 
@@ -107,12 +91,12 @@ void Reader::feature(const Json& node) {
   Properties properties;
   if (const Json* given = node.find("properties");
       given && given->kind != Json::Kind::null &&
-      expect(*given, Json::Kind::object, "\"properties\""))
+      nodes_.expect(*given, Json::Kind::object, "\"properties\""))
     properties = read_properties(*given);
   const Json* geometry = node.find("geometry");
   if (!geometry || geometry->kind == Json::Kind::null)
     rings_.warning(node.at, "a feature without geometry is skipped");
-  else if (expect(*geometry, Json::Kind::object, "\"geometry\""))
+  else if (nodes_.expect(*geometry, Json::Kind::object, "\"geometry\""))
     object(*geometry, properties);
 }
 
@@ -131,10 +115,7 @@ Properties Reader::read_properties(const Json& node) {
                    "remove the property and give --material N instead");
   }
   read_name(node, properties.data.material);
-  for (const char* key : {"layer", "Layer"})
-    if (const Json* layer = node.find(key))
-      properties.data.layer =
-          layer->kind == Json::Kind::number ? std::string(layer->number) : layer->text;
+  properties.data.layer = layer_of(node);
   if (const Json* fixed = node.find("fixed");
       fixed && fixed->kind != Json::Kind::null) {
     if (fixed->kind == Json::Kind::boolean)
@@ -161,8 +142,8 @@ void Reader::read_name(const Json& node, long material) {
   const Json* name = node.find("material_name");
   if (!name || name->kind == Json::Kind::null)
     return;
-  if (!expect(*name, Json::Kind::string, "\"material_name\"") || name->text.empty() ||
-      material == 0)
+  if (!nodes_.expect(*name, Json::Kind::string, "\"material_name\"") ||
+      name->text.empty() || material == 0)
     return;
   const auto [first, is_new] = names_.emplace(material, name->text);
   if (!is_new && first->second != name->text)
@@ -204,7 +185,7 @@ bool Reader::read_joints(const Json& node, std::size_t sides,
 }
 
 void Reader::polygon(const Json& rings, const Properties& properties) {
-  if (!expect(rings, Json::Kind::array, "polygon"))
+  if (!nodes_.expect(rings, Json::Kind::array, "polygon"))
     return;
   const auto is_position = [](const Json& ring) {
     return !ring.items.empty() && ring.items[0].kind == Json::Kind::number;
@@ -225,22 +206,13 @@ void Reader::polygon(const Json& rings, const Properties& properties) {
 }
 
 bool Reader::ring(const Json& node, std::vector<Position>& positions) {
-  if (!expect(node, Json::Kind::array, "ring"))
+  if (!nodes_.expect(node, Json::Kind::array, "ring"))
     return false;
-  for (const Json& position : node.items) {
-    if (!expect(position, Json::Kind::array, "position"))
+  for (const Json& item : node.items) {
+    const auto position = nodes_.position(item);
+    if (!position)
       return false;
-    if (position.items.size() < 2) {
-      rings_.error(position.at, fmt::format("position: expected 2 numbers, found {}",
-                                            position.items.size()));
-      return false;
-    }
-    if (position.items.size() > 2)
-      rings_.saw_height(position.at);
-    const Json &x = position.items[0], &y = position.items[1];
-    if (!expect(x, Json::Kind::number, "x") || !expect(y, Json::Kind::number, "y"))
-      return false;
-    positions.push_back({WrittenNumber{x.number, x.at}, WrittenNumber{y.number, y.at}});
+    positions.push_back(*position);
   }
   return true;
 }

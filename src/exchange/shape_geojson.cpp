@@ -4,7 +4,7 @@
 
 #include "exchange/foreign_form.hpp"
 #include "exchange/geographic_crs.hpp"
-#include "exchange/json_tree.hpp"
+#include "exchange/geojson_nodes.hpp"
 #include "exchange/shape_collector.hpp"
 
 namespace blocks::exchange {
@@ -15,7 +15,7 @@ class GeoJsonShapes {
   explicit GeoJsonShapes(ShapeCollector& shapes) : shapes_(shapes) {}
 
   void read(const Json& root) {
-    if (!expect(root, Json::Kind::object, "the file"))
+    if (!nodes_.expect(root, Json::Kind::object, "the file"))
       return;
     object(root, {});
     using enum ShapeCollector::Degrees;
@@ -32,23 +32,13 @@ class GeoJsonShapes {
 
  private:
   ShapeCollector& shapes_;
-
-  bool expect(const Json& node, Json::Kind kind, const std::string& what) {
-    if (node.kind == kind)
-      return true;
-    shapes_.error(node.at, fmt::format("{}: expected {}, found {}", what, name_of(kind),
-                                       name_of(node.kind)));
-    return false;
-  }
+  GeoJsonNodes<ShapeCollector> nodes_{shapes_};
 
   /// Returns the items of an array member, or reports an error and returns none.
   const std::vector<Json>& items(const Json& object, const std::string& key) {
     static const std::vector<Json> none;
-    const Json* found = object.find(key);
-    if (!found)
-      shapes_.error(object.at, fmt::format("\"{}\" is missing", key));
-    return found && expect(*found, Json::Kind::array, "\"" + key + "\"") ? found->items
-                                                                         : none;
+    const Json* found = nodes_.member(object, key, Json::Kind::array);
+    return found ? found->items : none;
   }
 
   /// What a feature says about its lines.
@@ -62,7 +52,6 @@ class GeoJsonShapes {
   Data properties(const Json& node);
   void line(const Json& node, const Data& data);
   void point(const Json& node);
-  std::optional<Position> position(const Json& node);
 };
 
 void GeoJsonShapes::object(const Json& node, const Data& data) {
@@ -73,12 +62,12 @@ void GeoJsonShapes::object(const Json& node, const Data& data) {
                   is_esri ? hint_of_ogr2ogr : "");
     return;
   }
-  if (!expect(*type, Json::Kind::string, "\"type\""))
+  if (!nodes_.expect(*type, Json::Kind::string, "\"type\""))
     return;
   const bool lines = shapes_.wanted() == Shapes::lines;
   const auto objects = [&](const char* key, const Data& with) {
     for (const Json& item : items(node, key))
-      if (expect(item, Json::Kind::object, type->text))
+      if (nodes_.expect(item, Json::Kind::object, type->text))
         object(item, with);
   };
   if (type->text == "FeatureCollection") {
@@ -108,17 +97,14 @@ GeoJsonShapes::Data GeoJsonShapes::properties(const Json& node) {
   Data data;
   const Json* given = node.find("properties");
   if (!given || given->kind == Json::Kind::null ||
-      !expect(*given, Json::Kind::object, "\"properties\"") ||
+      !nodes_.expect(*given, Json::Kind::object, "\"properties\"") ||
       shapes_.wanted() != Shapes::lines)
     return data;
   if (const Json* id = given->find("joint");
       id && id->kind != Json::Kind::null &&
-      expect(*id, Json::Kind::number, "\"joint\""))
+      nodes_.expect(*id, Json::Kind::number, "\"joint\""))
     data.joint = shapes_.joint({id->number, id->at});
-  for (const char* key : {"layer", "Layer"})
-    if (const Json* layer = given->find(key))
-      data.layer =
-          layer->kind == Json::Kind::number ? std::string(layer->number) : layer->text;
+  data.layer = layer_of(*given);
   return data;
 }
 
@@ -127,28 +113,12 @@ void GeoJsonShapes::feature(const Json& node) {
   const Json* geometry = node.find("geometry");
   if (!geometry || geometry->kind == Json::Kind::null)
     shapes_.warning(node.at, "a feature without geometry is skipped");
-  else if (expect(*geometry, Json::Kind::object, "\"geometry\""))
+  else if (nodes_.expect(*geometry, Json::Kind::object, "\"geometry\""))
     object(*geometry, data);
 }
 
-std::optional<Position> GeoJsonShapes::position(const Json& node) {
-  if (!expect(node, Json::Kind::array, "position"))
-    return std::nullopt;
-  if (node.items.size() < 2) {
-    shapes_.error(node.at, fmt::format("position: expected 2 numbers, found {}",
-                                       node.items.size()));
-    return std::nullopt;
-  }
-  if (node.items.size() > 2)
-    shapes_.saw_height(node.at);
-  const Json &x = node.items[0], &y = node.items[1];
-  if (!expect(x, Json::Kind::number, "x") || !expect(y, Json::Kind::number, "y"))
-    return std::nullopt;
-  return Position{WrittenNumber{x.number, x.at}, WrittenNumber{y.number, y.at}};
-}
-
 void GeoJsonShapes::line(const Json& node, const Data& data) {
-  if (!expect(node, Json::Kind::array, "line"))
+  if (!nodes_.expect(node, Json::Kind::array, "line"))
     return;
   if (node.items.empty()) {
     shapes_.warning(node.at, "an empty line is skipped");
@@ -156,7 +126,7 @@ void GeoJsonShapes::line(const Json& node, const Data& data) {
   }
   std::vector<Position> positions;
   for (const Json& item : node.items) {
-    const auto found = position(item);
+    const auto found = nodes_.position(item);
     if (!found)
       return;
     positions.push_back(*found);
@@ -165,7 +135,7 @@ void GeoJsonShapes::line(const Json& node, const Data& data) {
 }
 
 void GeoJsonShapes::point(const Json& node) {
-  if (const auto found = position(node))
+  if (const auto found = nodes_.position(node))
     shapes_.add_point(*found);
 }
 

@@ -123,14 +123,9 @@ Position WktShapes::position() {
     return found;
   };
   const WrittenNumber x = token("a number, x"), y = token("a number, y");
-  const auto has_more = [&] {
-    return !scan_.is_at_end() && !scan_.is_next(',') && !scan_.is_next(')');
-  };
-  if (has_more()) {
+  if (scan_.has_more()) {
     shapes_.saw_height(x.at);
-    scan_.number("',' or ')'");
-    if (has_more())
-      scan_.number("',' or ')'");
+    scan_.take_more_numbers();
   }
   return {x, y};
 }

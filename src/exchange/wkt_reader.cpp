@@ -11,17 +11,6 @@
 namespace blocks::exchange {
 namespace {
 
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z')
-      c = static_cast<char>(c - 'a' + 'A');
-  return text;
-}
-
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
 class Reader {
  public:
   explicit Reader(std::string_view text) : scan_(text) {}
@@ -126,14 +115,9 @@ Reader::Ring Reader::ring(bool measured) {
       measure(ring);
       return;
     }
-    const auto has_more = [&] {
-      return !scan_.is_at_end() && !scan_.is_next(',') && !scan_.is_next(')');
-    };
-    if (has_more()) {
+    if (scan_.has_more()) {
       rings_.saw_height(x.at);
-      scan_.number("',' or ')'");
-      if (has_more())
-        scan_.number("',' or ')'");
+      scan_.take_more_numbers();
     }
   });
   if (measured)
@@ -146,10 +130,7 @@ Reader::Ring Reader::ring(bool measured) {
 OutlineFile read_wkt(std::string_view text) { return Reader(text).read(); }
 
 bool looks_like_wkt(std::string_view text) {
-  const auto begin =
-      std::find_if_not(text.begin(), text.end(), [](char c) { return is_blank(c); });
-  const auto end = std::find_if_not(begin, text.end(), is_letter);
-  const std::string first = upper(text.substr(begin - text.begin(), end - begin));
+  const std::string first = WktScanner(text).word();
   constexpr std::array words{
       "POLYGON",    "MULTIPOLYGON", "GEOMETRYCOLLECTION", "POINT",
       "LINESTRING", "MULTIPOINT",   "MULTILINESTRING",    "POLYHEDRALSURFACE",

@@ -90,6 +90,11 @@ WrittenNumber WktScanner::number(const std::string& what, const std::string& hin
   return found;
 }
 
+void WktScanner::take_more_numbers() {
+  for (int taken = 0; taken < 2 && has_more(); ++taken)
+    number("',' or ')'");
+}
+
 void WktScanner::take_srid() { at_ = std::min(text_.find(';', at_), text_.size()); }
 
 }  // namespace blocks::exchange

@@ -49,6 +49,10 @@ class WktScanner {
   WrittenNumber token();
   /// Takes a number of WKT, or fails. what: "a number, x".
   WrittenNumber number(const std::string& what, const std::string& hint = {});
+  /// Tells whether a position goes on with another number.
+  bool has_more() { return !is_at_end() && !is_next(',') && !is_next(')'); }
+  /// Takes the third and the fourth number of a position, if it has them, or fails.
+  void take_more_numbers();
   /// Continues at this offset.
   void move_to(std::size_t at) { at_ = at; }
   /// Takes the rest of "SRID=n;" up to the semicolon.
