@@ -114,12 +114,6 @@ SourceLocation Diagnostics::from_command_line(std::string option) {
   return {0, static_cast<int>(options_.size()), 0};
 }
 
-Diagnostics Diagnostics::without_messages() const {
-  Diagnostics copy = *this;
-  copy.all_.clear();
-  return copy;
-}
-
 bool Diagnostics::has_errors() const {
   return std::any_of(all_.begin(), all_.end(),
                      [](const Diagnostic& d) { return d.severity == Severity::error; });

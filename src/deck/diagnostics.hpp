@@ -38,9 +38,6 @@ class Diagnostics {
   /// option instead of the file.
   SourceLocation from_command_line(std::string option);
 
-  /// Returns a copy without messages, for the same deck and the same options.
-  Diagnostics without_messages() const;
-
   bool has_errors() const;
   const std::vector<Diagnostic>& all() const { return all_; }
   const std::string& file() const { return file_; }

@@ -39,6 +39,23 @@ deck::Command one_step(const std::vector<deck::Command>& cards) {
   return {last.where, last.name, deck::Cycle{{1, last.where}}};
 }
 
+void stop_at_errors(const deck::Diagnostics& said) {
+  if (said.has_errors())
+    throw DeckError(said.format_all(), library::messages_of(said));
+}
+
+void apply(run::Builder& builder, const deck::Command& command,
+           deck::Diagnostics& said) {
+  builder.apply(command);
+  if (std::holds_alternative<deck::Save>(command.card))
+    said.warning(command.where, command.name, "has no effect in a program",
+                 "write_checkpoint() writes a checkpoint");
+}
+
+bool has_more_blocks(const Model& model, int before) {
+  return model.blocks.size() > before && model.blocks.count_present() > 0;
+}
+
 int checked(int threads) {
   if (threads < 1 || threads > 1024)
     throw std::invalid_argument(
@@ -78,29 +95,30 @@ void Simulation::State::keep_warnings(const deck::Diagnostics& said) {
 
 void Simulation::State::execute(const deck::Deck& deck, deck::Diagnostics& said) {
   ++changes;
-  // The cards are first executed on a copy in which no time passes. All errors are thus
-  // found before the model changes.
+  // The cards first act on a copy in which no time passes. All errors are thus found
+  // before the model changes.
   Model trial = current();
-  execute_on(trial, deck, said, false);
-  keep_warnings(said);
+  std::optional<Beginning> beginning = check(trial, deck, said);
   const bool adds_blocks = trial.blocks.size() != model.blocks.size() ||
                            trial.blocks.corners() != model.blocks.corners();
   if (adds_blocks && hooks.before_new_blocks)
     hooks.before_new_blocks();
-  if (std::any_of(deck.commands.begin(), deck.commands.end(), deck::passes_time)) {
-    deck::Diagnostics later(said.file(), deck.text);
-    execute_on(model, deck, later, true);
-    keep_warnings(later);
-  } else {
-    // Without new blocks the columns keep their memory.
-    Blocks blocks = std::move(model.blocks);
-    blocks = trial.blocks;
-    model = std::move(trial);
-    model.blocks = std::move(blocks);
+  take(beginning ? std::move(beginning->model) : std::move(trial));
+  if (beginning) {
+    trial = {};
+    play(deck, *std::move(beginning), {said.file(), deck.text});
   }
   if (model.blocks.count_present() > 0)
     prepare(model);
   half_depth_ = run::half_depth(model.blocks);
+}
+
+/// Without new blocks the columns keep their memory.
+void Simulation::State::take(Model&& other) {
+  Blocks blocks = std::move(model.blocks);
+  blocks = other.blocks;
+  model = std::move(other);
+  model.blocks = std::move(blocks);
 }
 
 /// Prepares the model for steps and records a warning for each block outside the
@@ -112,72 +130,97 @@ void Simulation::State::prepare(Model& on) {
     warnings.push_back(std::move(told));
 }
 
-/// Executes the cards on a model and throws DeckError after the last card if there were
-/// errors. If `moving` is false, MOTION, CYCLE and SOLVE are checked, but no time
-/// passes.
-void Simulation::State::execute_on(Model& on, const deck::Deck& deck,
-                                   deck::Diagnostics& said, bool moving) {
-  const auto stop_at_faults = [&] {
-    if (said.has_errors())
-      throw DeckError(said.format_all(), library::messages_of(said));
-  };
-  if (!deck.commands.empty())
-    if (const auto* card = std::get_if<deck::Restart>(&deck.commands.front().card)) {
-      if (!card->file.given) {
-        said.error(deck.commands.front().where, "RESTART",
-                   "the name of the checkpoint is missing", "write RESTART, file");
-        stop_at_faults();
-      }
-      output::CheckpointInfo from;
-      on = output::read_checkpoint(run::checkpoint_named(folder, card->file.value, ""),
-                                   from);
-      dynamics::end_mass_scaling(on);  // of a SOLVE that was not finished
-      overlaps = from.progress.overlaps;
-      watch_ = run::MotionWatch(on, {from.progress.fast_told, from.progress.flight_told,
-                                     from.progress.deep_told});
-      crack_watch_ = run::CrackWatch(on);
-    }
-  const int judged = on.blocks.size();
-  run::Builder builder(on, said, deck.commands,
+/// Loads the checkpoint of a RESTART card into a model.
+void Simulation::State::load(Model& into, const deck::Command& command,
+                             deck::Diagnostics& said) {
+  const auto& card = std::get<deck::Restart>(command.card);
+  if (!card.file.given) {
+    said.error(command.where, "RESTART", "the name of the checkpoint is missing",
+               "write RESTART, file");
+    stop_at_errors(said);
+  }
+  output::CheckpointInfo from;
+  into =
+      output::read_checkpoint(run::checkpoint_named(folder, card.file.value, ""), from);
+  dynamics::end_mass_scaling(into);  // of a SOLVE that was not finished
+  overlaps = from.progress.overlaps;
+  watch_ = run::MotionWatch(into, {from.progress.fast_told, from.progress.flight_told,
+                                   from.progress.deep_told});
+  crack_watch_ = run::CrackWatch(into);
+}
+
+std::optional<Simulation::State::Beginning>
+Simulation::State::check(Model& trial, const deck::Deck& deck,
+                         deck::Diagnostics& said) {
+  const std::vector<deck::Command>& cards = deck.commands;
+  if (!cards.empty() && std::holds_alternative<deck::Restart>(cards.front().card))
+    load(trial, cards.front(), said);
+  const int judged = trial.blocks.size();
+  run::Builder builder(trial, said, cards,
                        {.seed = {},
                         .tape9 = "tape9",
                         .folder = folder,
                         .unread = deck.unread,
-                        .overlaps = overlaps,
-                        .moves = moving});
-  bool in_place = true;
-  for (const deck::Command& command : deck.commands) {
-    builder.apply(command);
-    if (std::holds_alternative<deck::Save>(command.card))
-      said.warning(command.where, command.name, "has no effect in a program",
-                   "write_checkpoint() writes a checkpoint");
-    if (!deck::passes_time(command))
+                        .overlaps = overlaps});
+  std::optional<Beginning> beginning;
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    apply(builder, cards[i], said);
+    if (!deck::passes_time(cards[i]))
       continue;
-    if (moving || !said.has_errors())
-      builder.check_before_motion(command, in_place);
-    in_place = moving;
-    if (!moving)
-      continue;
-    stop_at_faults();
-    prepare(on);
-    half_depth_ = run::half_depth(on.blocks);
-    if (const auto* motion = std::get_if<deck::Motion>(&command.card))
-      step(run::steps_for(motion->dt.value, on.time_step.dt), true);
-    else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
-      step(cycle->ncycle.value, true);
-    else if (const auto* solving = std::get_if<deck::Solve>(&command.card))
-      solve(*solving, command.where.line);
-    else
-      factor_of_safety(std::get<deck::Fos>(command.card), command.where.line);
+    if (!said.has_errors())
+      builder.check_before_motion(cards[i], !beginning);
+    if (!beginning && !said.has_errors())
+      beginning = Beginning{i, trial, builder, judged};
   }
-  if (in_place && !said.has_errors() && on.blocks.size() > judged &&
-      on.blocks.count_present() > 0)
-    builder.check_before_motion(one_step(deck.commands), true);
-  stop_at_faults();
-  if (const auto& certificate = builder.certificate())
-    overlaps = certificate->overlaps;
+  if (!beginning && !said.has_errors() && has_more_blocks(trial, judged))
+    builder.check_before_motion(one_step(cards), true);
+  end_cards(builder, said);
+  return beginning;
 }
 
+/// Goes on with the first card with which time passes.
+void Simulation::State::play(const deck::Deck& deck, Beginning beginning,
+                             deck::Diagnostics said) {
+  run::Builder builder(model, said, std::move(beginning.builder));
+  builder.begin_to_move();
+  for (std::size_t i = beginning.card; i < deck.commands.size(); ++i) {
+    const deck::Command& command = deck.commands[i];
+    if (i > beginning.card) {
+      apply(builder, command, said);
+      if (!deck::passes_time(command))
+        continue;
+      builder.check_before_motion(command, true);
+      stop_at_errors(said);
+    }
+    make_steps(command);
+  }
+  if (!said.has_errors() && has_more_blocks(model, beginning.judged))
+    builder.check_before_motion(one_step(deck.commands), true);
+  end_cards(builder, said);
+}
+
+/// Makes the steps of a card with which time passes.
+void Simulation::State::make_steps(const deck::Command& command) {
+  prepare(model);
+  half_depth_ = run::half_depth(model.blocks);
+  if (const auto* motion = std::get_if<deck::Motion>(&command.card))
+    step(run::steps_for(motion->dt.value, model.time_step.dt), true);
+  else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
+    step(cycle->ncycle.value, true);
+  else if (const auto* solving = std::get_if<deck::Solve>(&command.card))
+    solve(*solving, command.where.line);
+  else
+    factor_of_safety(std::get<deck::Fos>(command.card), command.where.line);
+}
+
+/// Throws DeckError if there were errors. Otherwise keeps what the cards have told.
+void Simulation::State::end_cards(const run::Builder& builder,
+                                  const deck::Diagnostics& said) {
+  stop_at_errors(said);
+  if (const auto& certificate = builder.certificate())
+    overlaps = certificate->overlaps;
+  keep_warnings(said);
+}
 void Simulation::State::advance(bool reads) {
   contacts_known = reads;
   const dynamics::StepResult moved =

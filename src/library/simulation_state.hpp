@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "dynamics/stepper.hpp"
 #include "geometry/overlap.hpp"
 #include "library/results_in_use.hpp"
+#include "run/builder/builder.hpp"
 #include "run/watch/crack_watch.hpp"
 #include "run/watch/motion_watch.hpp"
 
@@ -85,9 +87,24 @@ struct Simulation::State {
   /// Makes one step. Throws UnsoundRun if it was unsound.
   void advance(bool reads);
   void keep_warnings(const deck::Diagnostics& said);
-  /// Executes all cards on a model. If `moving` is false, no time passes.
-  void execute_on(Model& on, const deck::Deck& deck, deck::Diagnostics& said,
-                  bool moving);
+  /// What the cards before the first motion have made.
+  struct Beginning {
+    std::size_t card;  ///< index of the first card with which time passes
+    Model model;
+    run::BuilderState builder;
+    int judged;  ///< number of blocks before the cards
+  };
+  /// Executes all cards on a copy of the model, so that no time passes. Returns nothing
+  /// if they have no motion. Throws DeckError if there were errors.
+  std::optional<Beginning> check(Model& trial, const deck::Deck& deck,
+                                 deck::Diagnostics& said);
+  /// Goes on with the cards from the first motion on. Throws DeckError.
+  void play(const deck::Deck& deck, Beginning beginning, deck::Diagnostics said);
+  /// Replaces the model.
+  void take(Model&& other);
+  void load(Model& into, const deck::Command& command, deck::Diagnostics& said);
+  void make_steps(const deck::Command& command);
+  void end_cards(const run::Builder& builder, const deck::Diagnostics& said);
 };
 
 }  // namespace blocks

@@ -74,6 +74,12 @@ bool Job::passes_time_from(std::size_t command) const {
   return false;
 }
 
+long Job::motions_before(std::size_t command) const {
+  return std::count_if(deck.commands.begin(),
+                       deck.commands.begin() + static_cast<std::ptrdiff_t>(command),
+                       deck::passes_time);
+}
+
 bool Job::asks_for_equilibrium() const {
   return std::any_of(
       deck.commands.begin(), deck.commands.end(), [](const deck::Command& command) {
@@ -129,7 +135,6 @@ BuildOptions Job::build_options() const {
   built.unread = deck.unread;
   built.overlaps = from.progress.overlaps;
   built.cut_progress = CutProgress(options.quiet);
-  built.cuts = cuts;
   return built;
 }
 

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
-#include "model/assembly_certificate.hpp"
 #include "output/checkpoint.hpp"
-#include "run/builder/builder.hpp"
-#include "run/run.hpp"
+#include "run/builder/builder_state.hpp"
+#include "run/support/run_options.hpp"
 
 namespace blocks::run {
 
-/// A deck with everything needed to execute it twice: once to check it, once to run it.
+/// A deck with everything needed to build its model and to run it.
 struct Job {
   /// Reads and parses the deck. With --until, adds a MOTION card behind the last card
   /// that acts. Throws output::FileError if the deck cannot be read.
@@ -47,6 +45,8 @@ struct Job {
   }
   /// Whether the deck itself has a MOTION, CYCLE or SOLVE at this index or later.
   bool passes_time_from(std::size_t command) const;
+  /// The number of MOTION, CYCLE, SOLVE and FOS cards before this index.
+  long motions_before(std::size_t command) const;
   /// Whether the deck has SOLVE, LOCDAMP or KINDAMP, or a history of unbalanced forces.
   /// Its results then have them (docs/rest.md#the-ratio).
   bool asks_for_equilibrium() const;
@@ -64,11 +64,9 @@ struct Job {
   std::size_t end;    ///< index of STOP, or behind the last card
   std::string files;  ///< hashes of the files on the cards, compared by a restart
   std::string name;
-  std::shared_ptr<CutStore> cuts = std::make_shared<CutStore>();  ///< of the check
-  SharedCertificate certificate;  ///< of all blocks, found by the check
-  output::CheckpointInfo from;    ///< valid once loaded
-  bool resumes = false;           ///< the same deck resumes where it stopped
-  ExitCode fault = deck_error;    ///< exit code of a failed check
+  output::CheckpointInfo from;  ///< valid once loaded
+  bool resumes = false;         ///< the same deck resumes where it stopped
+  ExitCode fault = deck_error;  ///< exit code of a failed check
 
  private:
   /// Adds the card of RunOptions::last_card before STOP.

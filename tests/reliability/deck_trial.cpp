@@ -39,6 +39,7 @@ Verdict try_deck(const std::string& text, const std::string& folder, int steps) 
     builder.check_before_motion(command, true);
     if (told.has_errors())
       return refused(told);
+    builder.begin_to_move();
     dynamics::prepare(model);
     for (int i = 0; i < steps; ++i)
       if (!dynamics::step(model, work).finite)

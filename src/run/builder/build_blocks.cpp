@@ -300,20 +300,15 @@ void BlockBuilder::record(const geometry::Layer& cut, int number) {
 }
 
 std::vector<std::string> BlockBuilder::cut(const deck::Cut& card,
-                                           const CutOptions& options, CutStore* store) {
+                                           const CutOptions& options) {
   const deck::Outline& outline = card.outline;
   const double rho = density(outline.mat.value, outline.mat.where);
   if (!(rho > 0.0))
     return {};
   std::optional<CutOutcome> made =
-      store != nullptr ? store->take(command_.where.line) : std::nullopt;
-  const bool is_new = !made;
-  if (is_new)
-    made = cut_domain(card, command_.where, corners_, options, diagnostics_);
+      cut_domain(card, command_.where, corners_, options, diagnostics_);
   if (!made || !fits(static_cast<long>(made->blocks.size()), command_.where))
     return {};
-  if (store != nullptr && is_new)
-    store->put(command_.where.line, *made);
   std::size_t corners = 0;
   for (NewBlock& block : made->blocks) {
     block.density = rho;

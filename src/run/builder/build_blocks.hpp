@@ -10,7 +10,6 @@
 #include "model/model.hpp"
 #include "run/builder/unread_cards.hpp"
 #include "run/cutting/cut_outcome.hpp"
-#include "run/cutting/cut_store.hpp"
 
 namespace blocks::run {
 
@@ -29,10 +28,8 @@ class BlockBuilder {
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
-  /// Cuts the domain, or takes the blocks that the store has for this card. Otherwise
-  /// the store, if not null, receives them. Returns notes on the joints, one per line.
-  std::vector<std::string> cut(const deck::Cut& card, const CutOptions& options,
-                               CutStore* store);
+  /// Cuts the domain. Returns notes on the joints, one per line.
+  std::vector<std::string> cut(const deck::Cut& card, const CutOptions& options);
   /// Returns a description of what was found in the file; empty after an error.
   std::string read_mesh(const deck::Read9& card, const std::string& path);
 

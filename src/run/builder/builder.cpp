@@ -48,16 +48,13 @@ geometry::Polygon outline_of_cut(const deck::Cut& card) {
 
 }  // namespace
 
-Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
-                 const std::vector<Command>& cards, BuildOptions options)
-    : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      unread_(options_.unread), certain_blocks_(model.blocks.size()),
-      corners_(shared_corners(cards)), makers_(model.blocks.size()),
-      plausibility_(diagnostics), domain_blocks_(model.blocks.size()),
+BuilderState::BuilderState(const Model& model, const std::vector<Command>& cards,
+                           BuildOptions options)
+    : options_(std::move(options)), unread_(options_.unread),
+      certain_blocks_(model.blocks.size()), corners_(shared_corners(cards)),
+      makers_(model.blocks.size()), domain_blocks_(model.blocks.size()),
       known_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
-  if (options_.seed)
-    model_.settings.seed = *options_.seed;
   std::size_t moved = 0;
   for (const geometry::SharedCorners& stretch : corners_)
     moved += stretch.moved();
@@ -65,6 +62,23 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
     notes_.push_back(fmt::format("corners on a slanted side of another outline, "
                                  "rounded so that they do not overlap it: {}",
                                  moved));
+}
+
+void BuilderState::begin_to_move() {
+  moves_ = in_place_ = true;
+  sure_blocks_.reset();
+  notes_.clear();
+  // An interrupt ends a run between steps, not in the middle of a card.
+  options_.cut_progress = {};
+  options_.check_progress = {};
+}
+
+Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
+                 const std::vector<Command>& cards, BuildOptions options)
+    : BuilderState(model, cards, std::move(options)), model_(model),
+      diagnostics_(diagnostics) {
+  if (options_.seed)
+    model_.settings.seed = *options_.seed;
 }
 
 /// Executes a card; there is one function per card.
@@ -188,7 +202,7 @@ struct Builder::Visitor {
       options.progress = [&](const std::string& step, double part) {
         self.options_.cut_progress(command.where.line, step, part);
       };
-    for (std::string& line : builder().cut(card, options, self.options_.cuts.get()))
+    for (std::string& line : builder().cut(card, options))
       self.notes_.push_back(std::move(line));
     if (options.progress)
       options.progress("", 1.0);
@@ -329,7 +343,7 @@ struct Builder::Visitor {
   }
   void pass_time() {
     ++self.stretch_;
-    self.in_place_ = self.options_.moves;
+    self.in_place_ = self.moves_;
     if (!self.in_place_ && !settings.crack_rules.empty() && !self.sure_blocks_)
       self.sure_blocks_ = self.last_number();
   }
@@ -344,7 +358,7 @@ void Builder::apply(const Command& command) {
   const int before = model_.blocks.size();
   chosen_.clear();
   std::visit(Visitor{*this, command}, command.card);
-  plausibility_.test(Moment::card, plan({&command, 1}), command);
+  plausibility_.test(Moment::card, plan({&command, 1}), command, diagnostics_);
   if (model_.blocks.size() == before) {
     const long failed = most_blocks(command);
     failed_blocks_ += failed;
@@ -356,14 +370,6 @@ void Builder::apply(const Command& command) {
   known_blocks_ = model_.blocks.size();
   if (deck::passes_time(command))
     motion_ = command;
-}
-
-void Builder::begin_to_move(SharedCertificate certificate) {
-  certificate_ = std::move(certificate);
-  planes_.clear();
-  crack_cards_.clear();
-  fraction_told_ = safe_fraction(model_.settings);
-  known_blocks_ = checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 
 void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
@@ -381,7 +387,9 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
   told.blocks = told.moved = model_.blocks.size();
   told.removed = told.blocks - model_.blocks.count_present();
   told.overlaps = overlaps;
-  begin_to_move(std::make_shared<const AssemblyCertificate>(std::move(told)));
+  certificate_ = std::make_shared<const AssemblyCertificate>(std::move(told));
+  fraction_told_ = safe_fraction(model_.settings);
+  known_blocks_ = checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 
 }  // namespace blocks::run

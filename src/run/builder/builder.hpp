@@ -3,12 +3,7 @@
 // not on the time loop.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,37 +11,11 @@
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
-#include "geometry/shared_corners.hpp"
-#include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 #include "model/selection.hpp"
-#include "run/builder/missing_blocks.hpp"
-#include "run/builder/unread_cards.hpp"
-#include "run/cutting/cut_store.hpp"
-#include "run/plausibility/block_makers.hpp"
-#include "run/plausibility/plausibility.hpp"
+#include "run/builder/builder_state.hpp"
 
 namespace blocks::run {
-
-struct BuildOptions {
-  std::optional<std::uint64_t> seed;  ///< --seed, which overrides the SEED card
-  std::string tape9 = "tape9";  ///< --tape9: the mesh of a READ9 card without a name
-  std::string folder;           ///< folder of the deck; file names are relative to it
-  /// Cards that could not be read. Blocks, materials or functions that may be missing
-  /// for that reason cause no further errors.
-  std::vector<deck::UnreadCard> unread = {};
-  /// Overlaps that were reported before the checkpoint of a RESTART deck was written.
-  std::vector<geometry::BlockOverlap> overlaps = {};
-  /// As CutOptions::progress, with the line of the CUT card.
-  std::function<void(int line, const std::string& step, double part)> cut_progress = {};
-  /// Likewise of the check that no two blocks overlap.
-  geometry::ProgressFunction check_progress = {};
-  std::shared_ptr<CutStore> cuts =
-      {};  ///< blocks that CUT cards have made; may be null
-  /// Whether steps are made at MOTION and CYCLE. If not, the blocks stay where the
-  /// cards put them.
-  bool moves = true;
-};
 
 /// Sides that a card names, and the line on which a selector has found them.
 struct SelectedSides {
@@ -54,11 +23,14 @@ struct SelectedSides {
   std::optional<Plane> line = {};
 };
 
-class Builder {
+class Builder : public BuilderState {
  public:
   /// `cards` is the whole deck, because outlines of different cards share corners.
   Builder(Model& model, deck::Diagnostics& diagnostics,
           const std::vector<deck::Command>& cards, BuildOptions options);
+  /// Goes on where another builder had this state, with a copy of its model.
+  Builder(Model& model, deck::Diagnostics& diagnostics, BuilderState state)
+      : BuilderState(std::move(state)), model_(model), diagnostics_(diagnostics) {}
 
   /// Executes the next card of the deck. Errors go to the diagnostics, and the model is
   /// then unchanged.
@@ -81,11 +53,6 @@ class Builder {
   /// model that a program drives needs no MOTION.
   void check_deck(std::span<const deck::Command> cards, bool driven);
 
-  /// Replaces check_before_motion() before the first MOTION, CYCLE or SOLVE if another
-  /// builder has checked the same cards. `certificate` is the certificate of that
-  /// builder.
-  void begin_to_move(SharedCertificate certificate);
-
   /// Continues a resumed run at cards[next]. The cards before it made the model.
   /// `overlaps` are the overlaps reported so far.
   void go_on(const std::vector<deck::Command>& cards, std::size_t next,
@@ -98,14 +65,6 @@ class Builder {
   /// Checks the blocks named by OUTPUT and HISTORY, which may be made after these
   /// cards. Call it when all cards are read.
   void check_output_blocks();
-
-  /// Returns the notes on mesh files, shared corners and removed or freed blocks since
-  /// the last call, one per line.
-  std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
-
-  /// The certificate of the blocks when the latest of them were made; null before the
-  /// first motion.
-  const SharedCertificate& certificate() const { return certificate_; }
 
  private:
   struct Visitor;
@@ -297,54 +256,6 @@ class Builder {
 
   Model& model_;
   deck::Diagnostics& diagnostics_;
-  BuildOptions options_;
-  UnreadCards unread_;
-  long failed_blocks_ = 0;  ///< the most blocks that cards with errors should make
-  MissingBlocks missing_;   ///< those of them that certainly count as blocks
-  std::size_t unread_counted_ = 0;  ///< cards not read whose blocks are counted
-  int certain_blocks_;              ///< blocks whose numbers are sure
-  std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
-  bool balanced_ = false;                         ///< there was a SOLVE or INSITU card
-  std::size_t stretch_ = 0;  ///< index of the section between motions
-  /// The blocks are where they will be when the next card acts. This is false after a
-  /// motion that made no steps.
-  bool in_place_ = true;
-  /// Blocks inside the outlines of REMOVE cards that acted while not in place. They
-  /// remain in the model, because they may be elsewhere when the run removes blocks.
-  std::set<int> perhaps_removed_;
-  /// FIX has acted on a selector while not in place, so others may be fixed in the run.
-  bool perhaps_fixed_ = false;
-  std::vector<int> chosen_;         ///< blocks on which the present REMOVE or FREE acts
-  geometry::Polygon last_outline_;  ///< [L] of the last CUT card
-  /// The line of a card and its section between motions.
-  struct GivenAt {
-    int line = 0;
-    std::size_t stretch = 0;
-  };
-  std::vector<std::pair<deck::SourceLocation, int>>
-      crack_cards_;                ///< CRACK cards not checked yet, and their materials
-  std::map<int, GivenAt> joints_;  ///< JOINT cards by id
-  std::map<std::pair<int, int>, GivenAt> pairs_;  ///< JPAIR cards by materials
-  std::vector<std::string> notes_;
-  std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
-  std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
-  BlockMakers makers_;
-  CardPlaces places_;
-  Plausibility plausibility_;
-  int domain_blocks_;  ///< blocks compared with the domain
-  /// The number of blocks before the first motion in which blocks may split; empty if
-  /// there is none, or if steps are made. Later blocks have unknown numbers.
-  std::optional<long> sure_blocks_;
-  int known_blocks_;                     ///< blocks after the last card
-  std::optional<deck::Command> motion_;  ///< the last MOTION, CYCLE or SOLVE card
-  int checked_blocks_;                   ///< blocks checked before an earlier motion
-  int moved_blocks_;                     ///< blocks that have moved
-  double fraction_told_ = 0.0;           ///< safe FRACTION in the last warning
-  std::optional<deck::Command>
-      fraction_by_;                       ///< last FRACTION, DAMPING or LOCDAMP card
-  std::optional<deck::Command> output_;   ///< OUTPUT card not checked yet
-  std::vector<deck::Command> histories_;  ///< HISTORY cards not checked yet
-  SharedCertificate certificate_;
 };
 
 }  // namespace blocks::run

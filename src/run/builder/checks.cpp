@@ -19,7 +19,7 @@ namespace blocks::run {
 using deck::Command;
 
 void Builder::check_plausibility(const Command& motion) {
-  plausibility_.test(Moment::motion, plan({&motion, 1}), motion);
+  plausibility_.test(Moment::motion, plan({&motion, 1}), motion, diagnostics_);
   domain_blocks_ = model_.blocks.size();
 }
 
@@ -27,7 +27,7 @@ void Builder::check_deck(std::span<const Command> cards, bool driven) {
   if (driven)
     plausibility_.leave_out("no-motion");
   if (!cards.empty())
-    plausibility_.test(Moment::end, plan(cards), cards.back());
+    plausibility_.test(Moment::end, plan(cards), cards.back(), diagnostics_);
 }
 
 Plan Builder::plan(std::span<const Command> cards) const {

@@ -4,13 +4,23 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
 #include "geometry/shared_corners.hpp"
-#include "run/cutting/cut_store.hpp"
+#include "model/model.hpp"
 
 namespace blocks::run {
+
+/// The result of a CUT command.
+struct CutOutcome {
+  /// Without density; the joints are those of the sides.
+  std::vector<NewBlock> blocks;
+  CutRecord record;                        ///< without number and first block
+  std::vector<JointLengthRecord> lengths;  ///< without the number of the cut
+  std::vector<std::string> notes;
+};
 
 struct CutOptions {
   std::uint64_t seed = 0;

@@ -58,14 +58,15 @@ constexpr PlausibilityRule rules[] = {
 
 std::span<const PlausibilityRule> plausibility_rules() { return rules; }
 
-void Plausibility::test(Moment moment, const Plan& plan, const deck::Command& at) {
+void Plausibility::test(Moment moment, const Plan& plan, const deck::Command& at,
+                        deck::Diagnostics& diagnostics) {
   for (const PlausibilityRule& rule : rules) {
     if (rule.moment != moment || told_.contains(rule.name))
       continue;
     for (const Doubt& doubt : rule.doubts(plan)) {
-      diagnostics_.warning(doubt.where.value_or(at.where),
-                           doubt.where ? doubt.card : at.name, doubt.message,
-                           doubt.hint);
+      diagnostics.warning(doubt.where.value_or(at.where),
+                          doubt.where ? doubt.card : at.name, doubt.message,
+                          doubt.hint);
       if (rule.once)
         told_.insert(rule.name);
     }

@@ -65,16 +65,14 @@ std::span<const PlausibilityRule> plausibility_rules();
 /// Applies the rules to a deck.
 class Plausibility {
  public:
-  explicit Plausibility(deck::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
-
-  /// Adds the warnings of the rules of this moment. `at`: the card that has been
-  /// reached.
-  void test(Moment moment, const Plan& plan, const deck::Command& at);
+  /// Adds the warnings of the rules of this moment to the diagnostics. `at`: the card
+  /// that has been reached.
+  void test(Moment moment, const Plan& plan, const deck::Command& at,
+            deck::Diagnostics& diagnostics);
   /// Leaves a rule out from now on.
   void leave_out(std::string_view rule) { told_.insert(rule); }
 
  private:
-  deck::Diagnostics& diagnostics_;
   /// Names of rules that warn once and have done so, or are left out.
   std::set<std::string_view> told_;
 };
