@@ -13,6 +13,7 @@
 #include "deck/card_reader.hpp"
 #include "deck/cut_group.hpp"
 #include "deck/deck_text.hpp"
+#include "deck/known_materials.hpp"
 #include "deck/suggest.hpp"
 
 namespace blocks::deck {
@@ -62,9 +63,6 @@ class Parser {
   bool lists(Card& card, const std::vector<Line>& data, SourceLocation end) {
     return read_lists(card, data, end, maxima_, *diagnostics_);
   }
-  /// Reports faults of the number and the name. Returns false if another card has the
-  /// number: with a faulty name, the blocks of the material are checked all the same.
-  bool material(const Material& card);
 
   Deck& deck_;
   std::vector<Line> lines_;
@@ -74,8 +72,7 @@ class Parser {
   std::size_t next_ = 0;
   bool stopped_ = false;
   StartMaxima maxima_;
-  std::map<long, int> materials_;         ///< number -> line
-  std::map<std::string, int> names_;      ///< name of a material -> line
+  KnownMaterials materials_;
   std::map<std::string_view, long> met_;  ///< number of cards of each kind so far
   std::optional<Cloop> loop_;  ///< a CLOOP whose CREATE has not been read yet
   std::optional<SourceLocation> loop_at_;
@@ -316,44 +313,12 @@ void Parser::part_of_group(const CutGroup::Part& part, bool in_place) {
 void Parser::finish(const CardSpec& spec, Card card, SourceLocation where) {
   if (auto* create = std::get_if<Create>(&card)) {
     create->loop = loop_;
-  } else if (const auto* one = std::get_if<Material>(&card)) {
-    if (!material(*one)) {
+  } else if (const auto* material = std::get_if<Material>(&card)) {
+    if (!materials_.add(*material, *diagnostics_)) {
       return;
     }
   }
   deck_.commands.push_back({where, std::string(spec.name), std::move(card)});
-}
-
-bool Parser::material(const Material& card) {
-  const auto [met, is_new] = materials_.emplace(card.mat.value, card.mat.where.line);
-  if (!is_new) {
-    diagnostics_->error(
-        card.mat.where, "MATERIAL",
-        fmt::format("material {} is defined twice", card.mat.value),
-        met->second > 0 ? fmt::format("the first one is on line {}", met->second) : "");
-  }
-  if (card.name.value.empty()) {
-    return is_new;
-  }
-  const std::string& name = card.name.value;
-  const auto fault = [&](const std::string& message, const std::string& hint) {
-    diagnostics_->error(card.name.where, "MATERIAL", message, hint);
-  };
-  if (name.find(':') != std::string::npos) {
-    fault(fmt::format("the name {} contains a colon", shown(name)),
-          "a colon ends the name in quantities such as y:material=NAME:max");
-  } else if (name.find_first_not_of("+-.0123456789") == std::string::npos) {
-    fault(fmt::format("the name {} is a number", shown(name)),
-          "in quantities such as y:material=2, a number is that of a material; add a "
-          "letter to the name");
-  }
-  const auto [same, new_name] = names_.emplace(name, card.name.where.line);
-  if (!new_name) {
-    fault(fmt::format("two materials have the name {}", shown(name)),
-          same->second > 0 ? fmt::format("the first one is on line {}", same->second)
-                           : "");
-  }
-  return is_new;
 }
 
 bool Parser::title(Start& card, const Line& line) {

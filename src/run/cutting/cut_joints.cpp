@@ -1,11 +1,9 @@
 #include "run/cutting/cut_joints.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 #include <variant>
@@ -14,6 +12,7 @@
 #include "model/counted.hpp"
 #include "output/file_tools.hpp"
 #include "run/cutting/joint_files.hpp"
+#include "run/cutting/set_start.hpp"
 #include "run/cutting/snap_proposal.hpp"
 #include "run/support/contact_room.hpp"
 
@@ -95,56 +94,19 @@ class Generator {
 
   void prepare(const deck::Jset& card) {
     geometry::JointSet set = joint_set(card, key("JSET", card.id.value));
-    if (!card.x0.given && !card.y0.given) {
-      const geometry::JointSet near = started_at_outline(set);
-      // Joints that run through turn about the point nearest to the start.
-      const bool turns =
-          card.ddev.value.value() > 0.0 && card.trace.value.value() == 0.0;
-      const bool is_far = sizes_away(set) > (turns ? 10.0 : 1000.0);
-      if (is_far || has_many_before(set, near)) {
-        set = near;
+    if (!card.x0.given && !card.y0.given)
+      if (const std::string why = start_nearby(set, around_.outline); !why.empty())
         diagnostics_.warning(
             card.where, "JSET",
             fmt::format("the set starts at the first corner of the outline, ({:.9g}, "
                         "{:.9g}), because {}",
-                        set.start.x.value(), set.start.y.value(),
-                        is_far ? "(0, 0) is far away"
-                               : "many joints would lie between it and (0, 0)"),
+                        set.start.x.value(), set.start.y.value(), why),
             "give x0 and y0 if it continues across outlines, or to choose another "
             "start");
-      }
-    }
     guarded(card.space.where, "JSET", [&] {
       expect(geometry::expected_pieces(set, around_.outline), card.space.where, "JSET");
     });
     sets_.emplace(&card, std::move(set));
-  }
-  geometry::JointSet started_at_outline(geometry::JointSet set) const {
-    set.start = around_.outline.front();
-    return set;
-  }
-  /// The number of pieces of a set; infinite if there are too many to count.
-  double pieces(const geometry::JointSet& set) const {
-    try {
-      return geometry::expected_pieces(set, around_.outline);
-    } catch (const geometry::CutError&) {
-      return std::numeric_limits<double>::infinity();
-    }
-  }
-  /// Returns how far the start is outside of the outline, in sizes of the outline.
-  double sizes_away(const geometry::JointSet& set) const {
-    Eigen::AlignedBox2d box;
-    for (const geometry::DecimalPoint& corner : around_.outline)
-      box.extend(Eigen::Vector2d(corner.x.value(), corner.y.value()));
-    const Eigen::Vector2d start(set.start.x.value(), set.start.y.value());
-    return box.exteriorDistance(start) / box.diagonal().norm();
-  }
-  /// Whether many tracks or traces are between the start of the set and the outline,
-  /// compared with the same set that starts at the outline.
-  bool has_many_before(const geometry::JointSet& set,
-                       const geometry::JointSet& near) const {
-    constexpr double many = 1e5;  // check_room() counts 190 MB for them
-    return pieces(set) - pieces(near) > many;
   }
   void prepare(const deck::Voronoi& card) {
     std::string places;  // so that equal cards cut different outlines differently
