@@ -169,6 +169,14 @@ std::string shown(const std::string& text) {
   return "'" + out + (chars.size() > longest ? "...'" : "'");
 }
 
+std::optional<Override> parse_override(const std::string& text) {
+  const auto dot = text.find('.'), equals = text.find('=');
+  if (dot == std::string::npos || equals == std::string::npos || dot > equals)
+    return std::nullopt;
+  return Override{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
+                  text.substr(equals + 1)};
+}
+
 std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overrides,
                                               Diagnostics& diagnostics) {
   std::vector<OverrideFields> out;

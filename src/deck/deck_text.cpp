@@ -109,4 +109,11 @@ bool is_deck_text(const std::string& text, Diagnostics& diagnostics) {
   return true;
 }
 
+bool is_comment_of_fortran(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("Cc");
+  return word.find_first_of("Cc") == 0 &&
+         (end == std::string::npos ||
+          std::isalnum(static_cast<unsigned char>(word[end])) == 0);
+}
+
 }  // namespace blocks::deck

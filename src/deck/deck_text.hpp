@@ -12,4 +12,7 @@ namespace blocks::deck {
 /// whether it is none of them.
 bool is_deck_text(const std::string& text, Diagnostics& diagnostics);
 
+/// Returns whether a word begins a comment of FORTRAN: C, CCC or C-----.
+bool is_comment_of_fortran(const std::string& word);
+
 }  // namespace blocks::deck

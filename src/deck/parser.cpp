@@ -1,7 +1,6 @@
 #include "deck/parser.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <map>
@@ -20,14 +19,6 @@ namespace blocks::deck {
 namespace {
 
 constexpr std::size_t title_length = 80;
-
-/// Returns whether a word begins a comment of FORTRAN: C, CCC or C-----.
-bool is_comment_of_fortran(const std::string& word) {
-  const std::size_t end = word.find_first_not_of("Cc");
-  return word.find_first_of("Cc") == 0 &&
-         (end == std::string::npos ||
-          std::isalnum(static_cast<unsigned char>(word[end])) == 0);
-}
 
 class Parser {
  public:
@@ -371,14 +362,6 @@ void Parser::check_unused_overrides() {
 }
 
 }  // namespace
-
-std::optional<Override> parse_override(const std::string& text) {
-  const auto dot = text.find('.'), equals = text.find('=');
-  if (dot == std::string::npos || equals == std::string::npos || dot > equals)
-    return std::nullopt;
-  return Override{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
-                  text.substr(equals + 1)};
-}
 
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides) {

@@ -1,11 +1,11 @@
 #include "run/builder/build_blocks.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "deck/mesh_readers.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -22,22 +22,10 @@ namespace {
 
 /// Returns the width or height of the corners, whichever is the larger one, [L].
 double extent(const geometry::Polygon& corners) {
-  Vec2 low = corners[0], high = corners[0];
-  for (const Vec2& corner : corners) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  return (high - low).maxCoeff();
-}
-
-/// Returns " between joints 1, 3", or an empty text without joints.
-std::string between(const std::vector<int>& joints) {
-  std::set<int> ids(joints.begin(), joints.end());
-  ids.erase(0);
-  return ids.empty()
-             ? std::string()
-             : fmt::format(" {} {}", ids.size() == 1 ? "at joint" : "between joints",
-                           fmt::join(ids, ", "));
+  Eigen::AlignedBox2d box;
+  for (const Vec2& corner : corners)
+    box.extend(corner);
+  return box.sizes().maxCoeff();
 }
 
 }  // namespace
@@ -316,7 +304,7 @@ std::vector<std::string> BlockBuilder::cut(const deck::Cut& card,
     if (!has_weight(
             block.outline, command_.where,
             fmt::format("block {} of the cut domain{}",
-                        &block - made->blocks.data() + 1, between(block.joints)),
+                        &block - made->blocks.data() + 1, between_joints(block.joints)),
             "give emin and amin, such as 1e-6 of the size of a block, or remove "
             "one of two joints that nearly coincide there"))
       return {};

@@ -1,6 +1,9 @@
 #include "run/builder/face_joints.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <set>
 
 namespace blocks::run {
 
@@ -27,6 +30,15 @@ void give_face_joints(const deck::FaceIds& ids, NewBlock& block) {
                                                              : ids.side;
     block.joints[i] = static_cast<int>(id.value);
   }
+}
+
+std::string between_joints(const std::vector<int>& joints) {
+  std::set<int> ids(joints.begin(), joints.end());
+  ids.erase(0);
+  return ids.empty()
+             ? std::string()
+             : fmt::format(" {} {}", ids.size() == 1 ? "at joint" : "between joints",
+                           fmt::join(ids, ", "));
 }
 
 }  // namespace blocks::run

@@ -1,5 +1,8 @@
-// Joint ids of the bottom, top and side faces of blocks (LAYER and READ9 cards).
+// Joint ids of the faces of blocks.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "deck/commands.hpp"
 #include "model/blocks.hpp"
@@ -13,5 +16,9 @@ void give_layer_joints(const deck::FaceIds& ids, NewBlock& block);
 /// Gives the ids to the sides that have none. A side whose outward normal is within 45
 /// degrees of up or down is a top or a bottom.
 void give_face_joints(const deck::FaceIds& ids, NewBlock& block);
+
+/// Returns " between joints 1, 3" for the ids of the sides of a block, or an empty text
+/// without joints.
+std::string between_joints(const std::vector<int>& joints);
 
 }  // namespace blocks::run
