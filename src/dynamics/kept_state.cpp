@@ -49,7 +49,9 @@ KeptDecisions kept_decisions(const Workspace& work) {
     const auto [low, high] = work.index.pairs[p];
     const std::size_t before = kept.contacts.size();
     arrays.each_slot(p, [&](int slot) {
-      if (!arrays.is_vacant(slot))
+      // Contacts of blocks that have split have no corner.
+      if (!arrays.is_vacant(slot) && arrays.at(slot).corner >= 0 &&
+          arrays.at(slot).edge >= 0)
         kept.contacts.push_back({arrays.at(slot).corner, arrays.at(slot).edge,
                                  arrays.batches.is(slot, &ContactTests::tested),
                                  arrays.batches.is(slot, &ContactTests::certain)});
@@ -64,6 +66,9 @@ KeptDecisions kept_decisions(const Workspace& work) {
         {low, high, room, static_cast<int>(kept.contacts.size() - before),
          static_cast<int>(poses.size()), static_cast<int>(depths.size())});
   }
+  for (std::size_t b = 0; b < work.changed_blocks.size(); ++b)
+    if (work.changed_blocks[b] != 0)
+      kept.pieces.push_back(static_cast<int>(b));
   kept.most = decisions.bounds.longest_path;
   kept.blocks = static_cast<int>(decisions.bounds.longest.size());
   return kept;
@@ -111,7 +116,13 @@ void restore_decisions(Model& model, Workspace& work) {
                    work.workers->threads());
   work.contacts.make(blocks, model.settings, work.index, contacts, {});
   work.split.split_batches(work.contacts.first_batch);
-  work.springs.both_agree();
+  work.changed_blocks.clear();
+  if (kept.pieces.empty())
+    return work.springs.both_agree();
+  work.changed_blocks.assign(static_cast<std::size_t>(blocks.size()), 0);
+  for (const int b : kept.pieces)
+    work.changed_blocks[static_cast<std::size_t>(b)] = 1;
+  work.springs.blocks_split();
 }
 
 }  // namespace blocks::dynamics

@@ -6,7 +6,8 @@
 
 namespace blocks::dynamics {
 
-/// Returns the decisions of the last step. The arrays of contacts must be up to date.
+/// Returns the decisions of the last step. The arrays of contacts must be up to date,
+/// except for pieces of blocks that have split.
 KeptDecisions kept_decisions(const Workspace& work);
 
 /// Brings the workspace to the state in which the decisions of the model were kept, and

@@ -98,9 +98,9 @@ const Model& Stepper::up_to_date() {
 
 const Model& Stepper::complete() {
   up_to_date();
-  if (work_.springs.arrays_are_current())
+  if (work_.springs.arrays_are_current() || work_.springs.arrays_lack_pieces())
     model_.kept = kept_decisions(work_);
-  return model_;  // otherwise the decisions are still there, or the next step makes all
+  return model_;  // otherwise no step has been made, and the decisions are still there
 }
 
 std::vector<std::pair<int, int>> Stepper::listed_pairs() const {

@@ -66,6 +66,36 @@ void renumber(const std::vector<NearPair>& old, const std::vector<NearPair>& now
   slots.swap(new_slots);
 }
 
+/// Returns whether one block of a pair is a piece of a block that has split.
+bool has_piece(const std::vector<char>& changed, const NearPair& pair) {
+  return changed[static_cast<std::size_t>(pair.low)] != 0 ||
+         changed[static_cast<std::size_t>(pair.high)] != 0;
+}
+
+/// Gives contacts of pieces pair number -1. Their arrays are out of date.
+void drop_pieces(const std::vector<NearPair>& pairs, const std::vector<char>& changed,
+                 ContactsOfPairs& contacts) {
+  for (int& p : contacts.pair)
+    if (p >= 0 && has_piece(changed, pairs[static_cast<std::size_t>(p)]))
+      p = -1;
+}
+
+/// Reads the contacts of pieces from the list of the model.
+void read_pieces(const Model& model, const std::vector<char>& changed,
+                 const PairIndex& index, ContactsOfPairs& contacts) {
+  std::vector<Contact> list;
+  std::vector<JointState> states;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
+    if (!has_piece(changed, {low, high}))
+      continue;
+    list.push_back(model.contacts[i]);
+    if (!model.joint_states.empty())
+      states.push_back(model.joint_states[i]);
+  }
+  read_list(model.blocks, list, states, index, contacts);
+}
+
 /// Moves columns of blocks to huge pages. They are not read in order, so this saves
 /// time.
 void move_columns(const Blocks& blocks) {
@@ -93,14 +123,17 @@ bool fits(const Workspace& work, const Blocks& blocks) {
 void update_pairs(Model& model, Workspace& work) {
   const Blocks& blocks = model.blocks;
   if (!model.kept.empty()) {
-    if (work.springs.arrays_are_current())
+    if (work.springs.arrays_are_current() || work.springs.arrays_lack_pieces())
       model.kept = {};  // of a checkpoint that a step before has written
     else
       restore_decisions(model, work);
   }
-  if (!work.contacts.laws.is_of(model.settings) || !fits(work, blocks))
+  if (!work.contacts.laws.is_of(model.settings) ||
+      !(fits(work, blocks) || work.springs.arrays_lack_pieces()))
     work.springs.list_changed();
+  const bool blocks_split = work.springs.arrays_lack_pieces();
   const bool from_arrays = work.springs.arrays_are_current();
+  const bool keeps = from_arrays || blocks_split;
   if (model.search.current && from_arrays)
     return;
   const Profile::Timer timer(work.profile, Profile::search);
@@ -110,27 +143,35 @@ void update_pairs(Model& model, Workspace& work) {
   }
   std::vector<NearPair>& found = work.near_pairs;
   find_near_pairs(blocks, model.search.left, work.search, found);
-  ContactsOfPairs contacts;
-  if (from_arrays)
+  ContactsOfPairs contacts, of_pieces;
+  if (keeps)
     work.contacts.copy_contacts(contacts);
   add_pairs(found, from_arrays ? pairs_with_springs(work.index, contacts)
                                : pairs_with_springs(blocks, model.contacts));
   std::swap(work.index, work.last_index);
   work.index.take(found, blocks.size());
-  if (from_arrays) {
+  if (!from_arrays)
+    work.parts.make(blocks);
+  if (blocks_split) {
+    read_pieces(model, work.changed_blocks, work.index, of_pieces);
+    work.decisions.bounds.take_in(blocks, work.changed_blocks);
+  }
+  if (keeps) {
     renumber(work.last_index.pairs, work.index.pairs, contacts,
              work.contacts.slots_of_pair);
-    work.decisions.keep_in(work.index, work.last_index);
+    if (blocks_split)
+      drop_pieces(work.index.pairs, work.changed_blocks, contacts);
+    work.decisions.keep_in(work.index, work.last_index, work.changed_blocks);
   } else {
-    work.parts.make(blocks);
     read_list(blocks, model.contacts, model.joint_states, work.index, contacts);
     work.contacts.slots_of_pair.assign(work.index.pairs.size(), 0);
     work.decisions.bounds.start(blocks, model.settings.rigid);
     work.decisions.reset(work.index.size());
   }
+  work.changed_blocks.clear();
   work.split.start(blocks.size(), work.index.pairs, pairs_of_window,
                    work.workers->threads());
-  work.contacts.make(blocks, model.settings, work.index, contacts, {});
+  work.contacts.make(blocks, model.settings, work.index, contacts, of_pieces);
   work.split.split_batches(work.contacts.first_batch);
   if (!from_arrays)
     work.springs.both_agree();

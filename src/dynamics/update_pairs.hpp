@@ -11,11 +11,10 @@ namespace blocks::dynamics {
 /// lists the pairs again, within what is left, if only the list of contacts holds the
 /// current springs. A search finds the pairs of blocks that may touch before the next
 /// one and makes the arrays for them. It keeps the decisions that new neighbours cannot
-/// change, unless only the list of contacts holds the current springs. Contacts keep
-/// their springs. A pair whose contacts have springs stays in the list even if it is not
-/// near, or both blocks are fixed now, because its springs may pass to successors. Reads
-/// blocks and, if the arrays are out of date, the list of contacts. Writes search, plane
-/// contacts, pairs, arrays, their division among the threads, and decisions.
+/// change, unless the list of contacts holds the current springs. Contacts keep their
+/// springs. A pair whose contacts have springs stays in the list even if it
+/// is not near, because its springs may pass to successors. Reads blocks and, if it owns
+/// the springs, the list of contacts. Writes search, plane contacts, pairs and arrays.
 void update_pairs(Model& model, Workspace& work);
 
 }  // namespace blocks::dynamics

@@ -45,6 +45,9 @@ struct Workspace {
   Decisions decisions;
   ContactArrays contacts;
 
+  /// (n) Whether a block is a piece of a block that has split since the arrays were
+  /// made; empty: none is.
+  std::vector<char> changed_blocks;
 
   // Working memory of single calls.
   NearSearch search;

@@ -74,9 +74,10 @@ struct KeptDecisions {
   std::vector<KeptContact> contacts;
   std::vector<KeptPose> poses;
   std::vector<KeptDepth> depths;
+  std::vector<int> pieces;  ///< blocks that have split since the last search, ascending
   /// [L] bound of the path of every block since the decisions began
   double most = 0.0;
-  int blocks = 0;  ///< number of blocks; 0: no decisions
+  int blocks = 0;  ///< number of blocks at the last search; 0: no decisions
 
   bool empty() const { return blocks == 0; }
 };

@@ -45,7 +45,7 @@ struct CheckpointInfo {
 };
 
 /// The version of the file format that is written and read.
-inline constexpr int checkpoint_format = 24;
+inline constexpr int checkpoint_format = 23;
 
 /// Writes a temporary file beside `path`, syncs it and renames it. Throws FileError.
 void write_checkpoint(const std::string& path, const Model& model,

@@ -22,7 +22,7 @@ void visit_poses(P& poses, const char* name, Archive& ar) {
 }
 
 template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
-  auto& [pairs, contacts, poses, depths, longest_path, blocks] = kept;
+  auto& [pairs, contacts, poses, depths, pieces, longest_path, blocks] = kept;
   ar.records("kept/pairs", pairs, [](auto& column, auto& pair) {
     auto& [low, high, room, contact_count, pose_count, depth_count] = pair;
     auto& [motion, until, then] = room;
@@ -62,6 +62,7 @@ template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
     column("least", least);
     column("most", most);
   });
+  ar({"kept/pieces", IndexOf::block}, pieces);
   ar({"kept/most", not_negative}, longest_path);
   ar({"kept/blocks", not_negative}, blocks);
 }

@@ -1,4 +1,4 @@
-// Decisions that outlive a search or a checkpoint.
+// Decisions that outlive a search, cracks or a checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ const std::vector<NearPair> later = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {3, 4}};
 TEST(KeptDecisions, OutliveASearch) {
   const PairIndex old = index_of(row, 6), now = index_of(later, 6);
   Decisions decisions = made(old, infinite);
-  decisions.keep_in(now, old);
+  decisions.keep_in(now, old, {});
   EXPECT_EQ(rooms_of(decisions), (std::vector<double>{1, 0, 2, 3, 4}));
   EXPECT_EQ(decisions.next_check, (std::vector<double>{0.25, 0, 1.25, 2.25, 3.25}));
 }
@@ -61,9 +61,21 @@ TEST(KeptDecisions, OutliveASearch) {
 TEST(KeptDecisions, EndIfANewNeighbourMayMatter) {
   const PairIndex old = index_of(row, 6), now = index_of(later, 6);
   Decisions decisions = made(old, 10.0);
-  decisions.keep_in(now, old);
+  decisions.keep_in(now, old, {});
   // Blocks 0 and 2 have a new neighbour. Blocks 3 and 4 have lost one at most.
   EXPECT_EQ(rooms_of(decisions), (std::vector<double>{0, 0, 0, 0, 4}));
+}
+
+TEST(KeptDecisions, EndIfABlockOrANeighbourHasSplit) {
+  std::vector<NearPair> pairs = row;
+  pairs.push_back({4, 6});  // block 6 has split off block 5
+  const PairIndex old = index_of(row, 6), now = index_of(pairs, 7);
+  const std::vector<char> changed = {0, 0, 0, 0, 0, 1, 1};
+  Decisions alone = made(old, infinite), among_others = made(old, 10.0);
+  alone.keep_in(now, old, changed);
+  among_others.keep_in(now, old, changed);
+  EXPECT_EQ(rooms_of(alone), (std::vector<double>{1, 2, 3, 4, 0, 0}));
+  EXPECT_EQ(rooms_of(among_others), (std::vector<double>{1, 2, 3, 0, 0, 0}));
 }
 
 /// The fields of the decisions that a checkpoint contains, as one text.

@@ -138,7 +138,7 @@ class Forger {
     // These lists may have any length, or are empty because all blocks are convex.
     if (name == "output/blocks" || name == "blocks/cuts" ||
         name == "history/quantities" || name == "plots/times" ||
-        name == "fixed_in_ground")
+        name == "kept/pieces" || name == "fixed_in_ground")
       return;
     if (how_ == How::longer && now(name))
       column.push_back(column.back());

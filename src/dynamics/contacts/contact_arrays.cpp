@@ -91,6 +91,14 @@ void ContactArrays::find_partners(const Blocks& blocks, int p) {
   batches.find_shared_ends(batch, k);
 }
 
+void ContactArrays::renumber_corners(const std::vector<int>& new_of) {
+  for (int slot = 0; slot < lane_count * batches.rows(); ++slot)
+    if (!is_vacant(slot))
+      for (const auto which : {&ContactRow::corner, &ContactRow::edge})
+        batches.at(slot, which) =
+            new_of[static_cast<std::size_t>(batches.at(slot, which))];
+}
+
 void ContactArrays::copy_contacts(ContactsOfPairs& all) const {
   all.clear();
   std::vector<PairContact> own;

@@ -49,6 +49,9 @@ struct ContactArrays {
   void assign(const Blocks& blocks, const PairIndex& index, int p,
               const std::vector<CornerOnEdge>& found, bool tested,
               ContactChanges& changes);
+  /// Gives corners new numbers. The contacts of other corners are then not usable.
+  /// new_of: (old corners) -1: the corner has no new number.
+  void renumber_corners(const std::vector<int>& new_of);
   /// Copies the contacts of all pairs.
   void copy_contacts(ContactsOfPairs& all) const;
 

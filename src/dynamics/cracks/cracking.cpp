@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "dynamics/block_energy.hpp"
@@ -118,17 +119,22 @@ class Cracking {
 
   int cracks() const { return static_cast<int>(splits_.size()); }
 
-  /// Replaces the blocks by their pieces and completes the records.
-  void finish() {
+  /// Replaces the blocks by their pieces and completes the records. Returns whether
+  /// each block is a piece now.
+  std::vector<char> finish() {
     const int old = model_.blocks.size();
     split_blocks(model_, splits_);
+    std::vector<char> is_piece(static_cast<std::size_t>(model_.blocks.size()), 0);
+    std::fill(is_piece.begin() + old, is_piece.end(), 1);
     for (std::size_t i = 0; i < splits_.size(); ++i) {
       const BlockEnergy first = energy_of(model_, splits_[i].block);
       const BlockEnergy second = energy_of(model_, old + static_cast<int>(i));
       records_[i].kinetic_after = first.kinetic + second.kinetic;
       records_[i].strain_after = first.strain + second.strain;
+      is_piece[static_cast<std::size_t>(splits_[i].block)] = 1;
     }
     model_.cracks.insert(model_.cracks.end(), records_.begin(), records_.end());
+    return is_piece;
   }
 
  private:
@@ -209,6 +215,19 @@ class Cracking {
   std::vector<CrackRecord> records_;
 };
 
+/// Gives the corners in the arrays the numbers that they have after cracks. Contacts of
+/// blocks that have split lose them. old: the first corner of each block before, and
+/// the number of corners.
+void follow_pieces(const Blocks& blocks, const std::vector<int>& old, Workspace& work) {
+  const auto old_blocks = static_cast<int>(old.size()) - 1;
+  std::vector<int> new_of(static_cast<std::size_t>(old.back()), -1);
+  for (int b = 0; b < old_blocks; ++b)
+    if (work.changed_blocks[static_cast<std::size_t>(b)] == 0)
+      std::iota(new_of.begin() + old[b], new_of.begin() + old[b + 1],
+                blocks.first_corner[b]);
+  work.contacts.renumber_corners(new_of);
+}
+
 /// Returns the blocks whose strength is reached by stress, or that have point loads.
 std::vector<int> find_candidates(const Model& model, const ContactLoads& loads) {
   const Blocks& blocks = model.blocks;
@@ -251,9 +270,15 @@ int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers,
   catch_up(model, work);
   if (before_split)
     before_split();
-  cracking.finish();
-  model.kept = {};
-  work.springs.list_changed();
+  const std::vector<int> first_corners(model.blocks.first_corner.begin(),
+                                       model.blocks.first_corner.end());
+  work.changed_blocks = cracking.finish();
+  if (work.springs.arrays_are_current()) {
+    follow_pieces(model.blocks, first_corners, work);
+    work.springs.blocks_split();
+  } else {
+    work.springs.list_changed();
+  }
   if (model.energy.kept)
     count_cracks(model, *work.workers, work.energy);
   return cracking.cracks();

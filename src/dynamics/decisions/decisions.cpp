@@ -18,16 +18,19 @@ constexpr double motion_per_path = 1.000001;
 /// No path grows by more than MotionBounds::longest_path.
 constexpr double motion_per_growth = 2.0 * motion_per_path;
 
-/// Returns which blocks have a new neighbour, (blocks).
-std::vector<char> with_new_neighbours(const Groups& now, const Groups& old) {
+/// Returns which blocks have a neighbour that is new or has changed, (blocks).
+std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
+                                      const std::vector<char>& changed) {
   std::vector<char> found(static_cast<std::size_t>(now.groups()), 0);
   for (int b = 0; b < now.groups(); ++b) {
-    int k = old.first[b];
-    const int end = old.first[b + 1];
+    const bool existed = b < old.groups();
+    int k = existed ? old.first[b] : 0;
+    const int end = existed ? old.first[b + 1] : 0;
     now.each(b, [&](int other) {
       while (k < end && old.item[k] < other)
         ++k;
-      if (k == end || old.item[k] != other)
+      const bool is_new = k == end || old.item[k] != other;
+      if (is_new || (!changed.empty() && changed[other] != 0))
         found[b] = 1;
     });
   }
@@ -46,8 +49,10 @@ bool has_corners_of(const Blocks& blocks, const KeptPose& pose) {
 
 }  // namespace
 
-void Decisions::keep_in(const PairIndex& now, const PairIndex& old) {
-  const std::vector<char> touched = with_new_neighbours(now.neighbours, old.neighbours);
+void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
+                        const std::vector<char>& changed) {
+  const std::vector<char> touched =
+      with_new_neighbours(now.neighbours, old.neighbours, changed);
   std::vector<PairDecision> old_pairs(now.pairs.size());
   std::vector<double> old_checks(now.pairs.size(), 0.0);
   pairs.swap(old_pairs), next_check.swap(old_checks);
@@ -60,7 +65,8 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old) {
       continue;
     const bool needs_neighbours =
         !old_pairs[k].renewal.empty() || old_pairs[k].room.until < infinite;
-    if (needs_neighbours && (touched[low] != 0 || touched[high] != 0))
+    const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
+    if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
     pairs[p] = std::move(old_pairs[k]);
     next_check[p] = old_checks[k];

@@ -57,8 +57,10 @@ struct Decisions {
     next_check.assign(static_cast<std::size_t>(count), 0.0);
   }
   /// Keeps the decisions of the old list of pairs in the new one. Discards those that a
-  /// new neighbour may change. Both lists are of the same blocks.
-  void keep_in(const PairIndex& now, const PairIndex& old);
+  /// new neighbour or a piece of a block may change. changed: whether a block of the
+  /// new list is a piece of a block that has split; empty: none is.
+  void keep_in(const PairIndex& now, const PairIndex& old,
+               const std::vector<char>& changed);
   /// Discards the decision of pair p.
   void expire(int p) {
     pairs[p].expire();

@@ -24,6 +24,19 @@ void MotionBounds::start(const Blocks& blocks, bool rigid_blocks) {
     longest[static_cast<std::size_t>(b)] = longest_arm(blocks, b);
   path.assign(longest.size(), 0.0);
   longest_path = 0.0;
+  find_rounding();
+}
+
+void MotionBounds::take_in(const Blocks& blocks, const std::vector<char>& changed) {
+  longest.resize(static_cast<std::size_t>(blocks.size()));
+  path.resize(longest.size(), 0.0);
+  for (int b = 0; b < blocks.size(); ++b)
+    if (changed[static_cast<std::size_t>(b)] != 0)
+      longest[static_cast<std::size_t>(b)] = longest_arm(blocks, b);
+  find_rounding();
+}
+
+void MotionBounds::find_rounding() {
   rounding = 0.0;
   for (const double arm : longest)
     rounding = std::max(rounding, 0x1p-50 * arm);

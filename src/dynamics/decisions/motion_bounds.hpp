@@ -32,6 +32,9 @@ struct MotionBounds {
   double path_of(int a, int b) const { return path[a] + path[b]; }
   /// Takes the arms of these blocks and begins at 0.
   void start(const Blocks& blocks, bool rigid_blocks);
+  /// Takes the arms of pieces of blocks that have split. changed: (n) whether a block
+  /// is a piece.
+  void take_in(const Blocks& blocks, const std::vector<char>& changed);
 
   /// Returns an upper bound of twice the motion of any arm of block b since it had the
   /// gradient `then`, [L]. A rotation moves a unit arm by the norm of the first column
@@ -55,6 +58,9 @@ struct MotionBounds {
     const double gap = (squares - twice_area) * (squares + twice_area);
     return 1.0000001 * std::sqrt(0.5 * (squares + std::sqrt(std::max(gap, 0.0))));
   }
+
+ private:
+  void find_rounding();
 };
 
 }  // namespace blocks::dynamics
