@@ -30,10 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using post::NumberTable;
 
-std::string with_unit(const std::string& label, const std::string& unit) {
-  return unit.empty() ? label : label + " [" + unit + "]";
-}
-
 /// Returns "tension positive" or "compression positive" for a stress, otherwise an
 /// empty text.
 std::string sign_of(const std::string& quantity, bool compression_positive) {

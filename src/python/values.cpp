@@ -9,8 +9,8 @@
 
 #include "bindings.hpp"
 #include "geometry/polygon.hpp"
-#include "post/quantity.hpp"
-#include "post/units.hpp"
+#include "post/read/quantity.hpp"
+#include "post/read/units.hpp"
 #include "quantities/model_quantity.hpp"
 #include "quantities/quantity.hpp"
 
