@@ -127,8 +127,10 @@ void ContactArrays::reserve(int pairs) {
     for (int p = begin; p < end; ++p)
       sum += slots_of_pair[p], most = std::max(most, slots_of_pair[p]);
     all_batches += (end - begin + lane_count - 1) / lane_count;
-    // Pairs with laws and pairs without are each in descending order of their slots.
-    all_rows += sum / lane_count + (laws.none() ? 1 : 2) * most + 1;
+    // Pairs with laws and pairs without are each in descending order of their slots. So
+    // a batch has at most as many rows as the mean of the batch before, except the
+    // first batch, one with pairs of both kinds, and the one after it.
+    all_rows += sum / lane_count + (laws.none() ? 1 : 3) * most + 1;
   });
   batches.reserve(all_batches, all_rows, !laws.none());
 }

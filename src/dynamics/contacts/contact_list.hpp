@@ -15,7 +15,7 @@
 
 namespace blocks::dynamics {
 
-/// Reads the contacts of the list. They count as certain and as acting in the step
+/// Reads the contacts of the list. They count as acting in the step
 /// before. Contacts of pairs that are not in the index are left out. states: those of
 /// the laws, (list) or empty.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
