@@ -35,7 +35,7 @@ _MOST_CURVES = 6  # more would not fit a notebook
 def picture(shown: Any) -> bytes:
     """Returns a picture of a Frame, a Simulation, an Assembly or a History for notebooks, as PNG."""
     with matplotlib.rc_context({"figure.figsize": (6.4, 4.0), "font.size": 9.0}):
-        if not hasattr(shown, "corners"):  # a History
+        if not hasattr(shown, "polygons"):  # a History
             figure = draw_history(shown, shown.names[:_MOST_CURVES], None, {}, pyplot=False)[0].figure
         else:
             figure = new_figure(pyplot=False, shape=Scene(shown).shape)
