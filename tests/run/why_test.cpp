@@ -92,7 +92,7 @@ TEST_F(Why, NamesTheChoicesIfAnOptionIsWrong) {
   expect_refusal("scene.vtkhdf --time 9 --block 3 --block 1",
                  "time 9 is outside of scene.vtkhdf",
                  "it holds 5 frames from time 0 to 0.4: 0, 0.1, 0.2, 0.3, 0.4");
-  expect_refusal("scene.vtkhdf --time nan --block 3 --block 1", "time nan is outside",
+  expect_refusal("scene.vtkhdf --time nan --block 3 --block 1", "'nan' is not a time",
                  "it holds");
   expect_refusal("scene.ckpt.h5 --time 0 --block 3 --block 1", "time 0 is outside of",
                  "it holds the state at time 0.4 only");
