@@ -46,4 +46,15 @@ nlohmann::ordered_json cuts_json(const std::vector<CutRecord>& cuts,
   return list;
 }
 
+nlohmann::ordered_json merges_json(const std::vector<MergeRecord>& merges) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const MergeRecord& merge : merges)
+    list.push_back({{"layer", merge.layer},
+                    {"absorbed", merge.absorbed},
+                    {"into", merge.into},
+                    {"width_to_height", merge.width_to_height},
+                    {"limit", merge.limit}});
+  return list;
+}
+
 }  // namespace blocks::output

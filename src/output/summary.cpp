@@ -179,17 +179,6 @@ Json audit(const std::optional<AuditTotals>& totals) {
       {"deepest_contacts", worst_of(totals->deep)}};
 }
 
-Json merges(const Model& model) {
-  Json list = Json::array();
-  for (const MergeRecord& merge : model.merges)
-    list.push_back({{"layer", merge.layer},
-                    {"absorbed", merge.absorbed},
-                    {"into", merge.into},
-                    {"width_to_height", merge.width_to_height},
-                    {"limit", merge.limit}});
-  return list;
-}
-
 /// The cracks in the order in which blocks split.
 Json cracks(const Model& model) {
   Json list = Json::array();
@@ -352,7 +341,7 @@ void write_summary(const std::string& path, const Model& model,
       {"worst_overlap", {{"end", sums.worst_overlap}, {"ever", model.worst_overlap}}},
       {"fastest_block", fastest_block(model.blocks)},
       {"domain_exits", exits(model)},
-      {"merges", merges(model)},
+      {"merges", merges_json(model.merges)},
       {"layers", layers(model)},
       {"certificate", certificate(report.certificate)},
       {"audit", audit(report.audit)},

@@ -44,17 +44,6 @@ Json layers(const GeometryReport& report) {
   return list;
 }
 
-Json merges(const GeometryReport& report) {
-  Json list = Json::array();
-  for (const MergeRecord& merge : report.merges)
-    list.push_back({{"layer", merge.layer},
-                    {"absorbed", merge.absorbed},
-                    {"into", merge.into},
-                    {"width_to_height", merge.width_to_height},
-                    {"limit", merge.limit}});
-  return list;
-}
-
 Json overlaps(const std::vector<geometry::BlockOverlap>& pairs) {
   Json list = Json::array();
   for (const geometry::BlockOverlap& pair : pairs)
@@ -87,7 +76,7 @@ std::string json(const GeometryReport& report) {
               {"shortest_side", measure(report.edge, "side")},
               {"smallest_angle", measure(report.angle, "corner")},
               {"layers", layers(report)},
-              {"merges", merges(report)},
+              {"merges", output::merges_json(report.merges)},
               {"certificate",
                {{"holds", report.certificate.holds()},
                 {"overlaps", overlaps(report.certificate.overlaps)},
