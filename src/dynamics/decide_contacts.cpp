@@ -86,11 +86,6 @@ void expect_contacts(Workspace& work) {
 
 }  // namespace
 
-const ContactRule& exact_rule() {
-  static const RuleWith<ExactPredicates> rule;
-  return rule;
-}
-
 void decide_contacts(const Model& model, Workspace& work) {
   const Blocks& blocks = model.blocks;
   const auto pairs_until = [&](int window) {

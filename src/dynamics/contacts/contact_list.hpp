@@ -15,9 +15,9 @@
 
 namespace blocks::dynamics {
 
-/// Reads the contacts of the list. They count as acting in the step
-/// before. Contacts of pairs that are not in the index are left out. states: those of
-/// the laws, (list) or empty.
+/// Reads the contacts of the list. They count as acting in the step before. Contacts of
+/// pairs that are not in the index are left out. states: those of the laws, (list) or
+/// empty.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
                const std::vector<JointState>& states, const PairIndex& index,
                ContactsOfPairs& all);

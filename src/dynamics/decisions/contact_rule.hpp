@@ -44,7 +44,10 @@ template <class Predicates> class RuleWith : public ContactRule {
   }
 };
 
-/// The rule of every run.
-const ContactRule& exact_rule();
+/// Returns the rule of every run.
+inline const ContactRule& exact_rule() {
+  static const RuleWith<ExactPredicates> rule;
+  return rule;
+}
 
 }  // namespace blocks::dynamics
