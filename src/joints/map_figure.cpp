@@ -45,7 +45,7 @@ std::vector<Histogram> histograms_of(const MapStatistics& map) {
   return found;
 }
 
-constexpr std::size_t plots = 3;  ///< of which the triangle is the first
+constexpr std::size_t plots = 3;  ///< the triangle is the first
 
 void draw_map(draw::Pen& pen, const std::vector<MapStatistics>& maps, std::size_t k,
               const draw::PageSize& page, const draw::RoseLayout& layout) {

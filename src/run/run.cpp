@@ -34,7 +34,7 @@ std::vector<std::string> warnings_of(const deck::Diagnostics& diagnostics) {
   return result;
 }
 
-/// Whether a file of the run would replace the deck, which is told.
+/// Returns whether a file of the run would replace the deck, and says so.
 bool overwrites_deck(const Job& job) {
   for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"}) {
     std::error_code absent;

@@ -1,4 +1,4 @@
-// What a run is told to do, and the exit codes of the program.
+// The options of a run, and the exit codes of the program.
 #pragma once
 
 #include <cstdint>
