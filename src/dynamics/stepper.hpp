@@ -20,7 +20,8 @@ class Stepper {
   Stepper(Model& model, Workspace& work) : model_(model), work_(work) {}
 
   /// To be called after the model has been changed from outside. The model must have
-  /// been up to date before the change.
+  /// been up to date before the change. If blocks have changed, Model::kept must be
+  /// emptied too, as prepare() does.
   void changed() {
     inside_current_ = false;
     work_.springs.list_changed();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,6 +141,50 @@ TEST(KeptDecisions, AreStateThatACopyGoesOnWith) {
     stepper.complete(), heap.stepper.complete();
     EXPECT_EQ(fields_of(copy), fields_of(heap.model));
   }
+}
+
+/// Adds laws to a heap whose squares are thrown apart, so that pairs lose all contacts
+/// and get others.
+Model thrown(bool with_laws, bool in_situ, unsigned seed) {
+  Model model = Heap(false).model;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> velocity(-3.0, 3.0);
+  for (int b = 0; b < model.blocks.size(); ++b)
+    if (model.blocks.fixity[b] == Fixity::free)
+      model.blocks.velocity.col(b) = Vec2(velocity(random), velocity(random)),
+      model.blocks.spin[b] = velocity(random);
+  if (with_laws) {
+    JointLaw law;
+    law.friction = law.residual_friction = 0.5;
+    law.cohesion = law.tension = 1e3;
+    law.normal_stiffness = law.shear_stiffness = 1e7;
+    model.settings.joint_laws[1] = law;
+    model.settings.joint_of_materials[{0, 0}] = 1;
+  }
+  model.settings.in_situ = in_situ;
+  prepare(model);
+  return model;
+}
+
+// A run that is copied again and again has the bits of a run that is not.
+TEST(KeptDecisions, AreStateWhateverHasStates) {
+  for (const bool with_laws : {false, true})
+    for (const bool in_situ : {false, true})
+      for (unsigned seed = 1; seed <= 2; ++seed) {
+        Model through = thrown(with_laws, in_situ, seed), model = through;
+        Workspace work;
+        Stepper stepper(through, work);
+        for (int part = 0; part < 20; ++part) {
+          Workspace new_work;
+          Stepper new_stepper(model, new_work);
+          for (int i = 0; i < 31; ++i)
+            stepper.advance(false), new_stepper.advance(false);
+          new_stepper.complete();
+        }
+        stepper.complete();
+        ASSERT_EQ(fields_of(model), fields_of(through))
+            << (with_laws ? "laws " : "") << (in_situ ? "INSITU " : "") << seed;
+      }
 }
 
 /// Three boxes of size 1 in a row; the pair of the first two has a kept decision.

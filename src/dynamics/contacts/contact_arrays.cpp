@@ -1,33 +1,12 @@
 #include "dynamics/contacts/contact_arrays.hpp"
 
-#include <array>
 #include <compare>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 
 #include "dynamics/contacts/dashpot.hpp"
-#include "dynamics/contacts/partners.hpp"
 
 namespace blocks::dynamics {
-namespace {
-
-auto as_pair(const CornerOnEdge& at) { return std::pair(at.corner, at.edge); }
-
-/// Writes the contacts in ascending order of corner and edge, without springs.
-void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
-                   std::vector<PairContact>& sorted) {
-  sorted.clear();
-  for (const CornerOnEdge& at : found)
-    sorted.push_back({{.at = at, .tested = tested, .certain = !tested}});
-  std::sort(sorted.begin(), sorted.end(),
-            [](const PairContact& l, const PairContact& r) {
-              return as_pair(l.at) < as_pair(r.at);
-            });
-}
-
-}  // namespace
-
 void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const {
   contacts.clear();
   each_slot(p, [&](int slot) {
@@ -120,26 +99,10 @@ void ContactArrays::require_slots(const ContactsOfPairs& some, bool grown) {
   }
 }
 
-void ContactArrays::reserve(int pairs) {
-  int all_batches = 0, all_rows = 0;
-  each_window(pairs, [&](int begin, int end) {
-    int sum = 0, most = 0;
-    for (int p = begin; p < end; ++p)
-      sum += slots_of_pair[p], most = std::max(most, slots_of_pair[p]);
-    all_batches += (end - begin + lane_count - 1) / lane_count;
-    // Pairs with laws and pairs without are each in descending order of their slots. So
-    // a batch has at most as many rows as the mean of the batch before, except the
-    // first batch, one with pairs of both kinds, and the one after it.
-    all_rows += sum / lane_count + (laws.none() ? 1 : 3) * most + 1;
-  });
-  batches.reserve(all_batches, all_rows, !laws.none());
-}
-
-/// Puts the pairs of a window into batches in descending order of their slots, so that
-/// few slots stay vacant. Pairs with laws of joints come first, so that few batches
-/// have pairs of both kinds.
-void ContactArrays::make_window(const Blocks& blocks, const PairIndex& index, int begin,
-                                int end) {
+/// Puts the pairs of each window into batches in descending order of their slots, so
+/// that few slots stay vacant. Pairs with laws of joints come first, so that few
+/// batches have pairs of both kinds.
+void ContactArrays::arrange_pairs(const Blocks& blocks, const PairIndex& index) {
   struct Place {
     bool without_laws;
     int slots, pair;
@@ -148,55 +111,61 @@ void ContactArrays::make_window(const Blocks& blocks, const PairIndex& index, in
              std::tuple(other.without_laws, -other.slots, other.pair);
     }
   };
-  std::array<Place, pairs_of_window> order;
-  int count = 0;
-  for (int p = begin; p < end; ++p) {
-    lane_of_pair[p] = -1;
-    if (slots_of_pair[p] > 0)
-      order[count++] = {!laws.may_act(blocks, index.pairs[p].low, index.pairs[p].high),
-                        slots_of_pair[p], p};
-  }
-  std::sort(order.begin(), order.begin() + count);
-  for (int i = 0; i < count; ++i) {
-    const int k = i % lane_count, p = order[i].pair;
-    if (k == 0) {
-      int rows = 0;
-      for (int j = i; j < std::min(count, i + lane_count); ++j)
-        rows = std::max(rows, order[j].slots);
-      batches.add_batch(rows);
+  std::vector<Place> order;
+  lane_of_pair.assign(static_cast<std::size_t>(index.size()), -1);
+  pair_of_lane.clear();
+  first_batch.assign(1, 0);
+  each_window(index.size(), [&](int begin, int end) {
+    order.clear();
+    for (int p = begin; p < end; ++p)
+      if (slots_of_pair[p] > 0)
+        order.push_back({!laws.may_act(blocks, index.pairs[p].low, index.pairs[p].high),
+                         slots_of_pair[p], p});
+    std::sort(order.begin(), order.end());
+    for (const Place& place : order) {
+      lane_of_pair[place.pair] = static_cast<int>(pair_of_lane.size());
+      pair_of_lane.push_back(place.pair);
     }
-    const int batch = batches.batches() - 1;
-    if (!order[i].without_laws)
-      batches.expect_laws(batch);
-    batches.pairs[batch].low[k] = index.pairs[p].low;
-    batches.pairs[batch].high[k] = index.pairs[p].high;
-    lane_of_pair[p] = batch * lane_count + k;
-    pair_of_lane.resize(static_cast<std::size_t>(batch + 1) * lane_count, -1);
-    pair_of_lane[lane_of_pair[p]] = p;
+    while (pair_of_lane.size() % lane_count != 0)
+      pair_of_lane.push_back(-1);
+    first_batch.push_back(static_cast<int>(pair_of_lane.size()) / lane_count);
+  });
+}
+
+/// Makes the batches of the lanes, with vacant slots.
+void ContactArrays::make_batches(const Blocks& blocks, const Settings& settings,
+                                 const PairIndex& index) {
+  const auto rows_of = [&](int batch) {
+    int rows = 0;
+    each_pair_of(batch, [&](int, int p) { rows = std::max(rows, slots_of_pair[p]); });
+    return rows;
+  };
+  const int count = first_batch.back();
+  int rows = 0;
+  for (int batch = 0; batch < count; ++batch)
+    rows += rows_of(batch);
+  batches.reserve(count, rows, !laws.none());
+  for (int batch = 0; batch < count; ++batch) {
+    batches.add_batch(rows_of(batch));
+    BatchPairs& pairs = batches.pairs[batch];
+    each_pair_of(batch, [&](int k, int p) {
+      const auto [low, high] = index.pairs[p];
+      pairs.low[k] = low, pairs.high[k] = high;
+      pairs.damping[k] = contact_damping(settings, blocks, low, high);
+      pairs.has_laws = pairs.has_laws || laws.may_act(blocks, low, high);
+    });
   }
-  first_batch.push_back(batches.batches());
 }
 
 void ContactArrays::make(const Blocks& blocks, const Settings& settings,
                          const PairIndex& index, const ContactsOfPairs& kept,
                          const ContactsOfPairs& grown) {
-  const int pairs = index.size();
   laws.make(settings, blocks);
   batches.laws = laws.columns();
-  lane_of_pair.resize(static_cast<std::size_t>(pairs));
   require_slots(kept, false);
   require_slots(grown, true);
-  batches.clear();
-  reserve(pairs);
-  pair_of_lane.clear();
-  first_batch.assign(1, 0);
-  each_window(pairs,
-              [&](int begin, int end) { make_window(blocks, index, begin, end); });
-  for (int batch = 0; batch < batches.batches(); ++batch) {
-    BatchPairs& two = batches.pairs[batch];
-    for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
-      two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
-  }
+  arrange_pairs(blocks, index);
+  make_batches(blocks, settings, index);
   // A pair that has outgrown its slots has more contacts than before, so the second
   // list replaces all of the first one.
   for (const ContactsOfPairs* some : {&kept, &grown})
@@ -247,82 +216,6 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
   batches.springs[row].shear_elastic[k] = contact.shear;
   if (!laws.none())
     put_joint(slot, contact.joint);
-}
-
-/// Adds the contacts of `before` that may be held to `now`, in order. Leaves out
-/// contacts whose corner is bonded to another edge of the block.
-void ContactArrays::keep_held(std::vector<PairContact>& now,
-                              const std::vector<PairContact>& before) const {
-  std::erase_if(now, [&](const PairContact& found) {
-    return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
-      return old.acted && old.joint.bonded && old.at.corner == found.at.corner &&
-             old.at.edge != found.at.edge;
-    });
-  });
-  for (const PairContact& old : before) {
-    if (!old.may_be_held())
-      continue;
-    const auto place = std::lower_bound(now.begin(), now.end(), old,
-                                        [](const PairContact& l, const PairContact& r) {
-                                          return as_pair(l.at) < as_pair(r.at);
-                                        });
-    if (place == now.end() || place->at != old.at)
-      now.insert(place, PairContact{{.at = old.at}});
-  }
-}
-
-void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
-                           const std::vector<CornerOnEdge>& found, bool tested,
-                           ContactChanges& changes) {
-  std::vector<PairContact>& now = changes.now;
-  sort_contacts(found, tested, now);
-  const std::vector<PairContact>& before = changes.before;
-  const bool may_hold = has_laws(p);
-  if (may_hold) {
-    contacts_of(p, changes.before);
-    keep_held(now, before);
-    if (laws.in_situ())
-      add_partners(blocks, now);
-  }
-  bool same = true;
-  std::size_t slots = 0;
-  each_slot(p, [&](int slot) {
-    same = same && (slots < now.size() ? at(slot) == now[slots].at : is_vacant(slot));
-    ++slots;
-  });
-  const bool fits = now.size() <= slots;
-  std::size_t k = 0;
-  if (same && fits) {
-    each_slot(p, [&](int slot) {
-      batches.set(slot, &ContactTests::tested, k < now.size() && now[k].tested);
-      batches.set(slot, &ContactTests::certain, k < now.size() && now[k].certain);
-      ++k;
-    });
-    return;
-  }
-  if (!may_hold)
-    contacts_of(p, changes.before);
-  auto next = now.begin();
-  for (const PairContact& old : before) {
-    while (next != now.end() && as_pair(next->at) < as_pair(old.at))
-      ++next;
-    if (next != now.end() && next->at == old.at)
-      next->acted = old.acted, next->normal = old.normal, next->shear = old.shear,
-      next->joint = old.joint;
-    else if (old.normal > 0.0)
-      changes.released.push_back({p, old.at, old.normal, old.shear, old.joint});
-  }
-  if (!fits) {
-    changes.grown.add(p, now, !laws.none());
-    return;
-  }
-  each_slot(p, [&](int slot) {
-    fill_slot(blocks, index.pairs[p].low, slot,
-              k < now.size() ? now[k] : PairContact{});
-    ++k;
-  });
-  if (has_laws(p))
-    find_partners(blocks, p);
 }
 
 }  // namespace blocks::dynamics

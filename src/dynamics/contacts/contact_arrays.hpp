@@ -89,8 +89,15 @@ struct ContactArrays {
   void fill_slots(const Blocks& blocks, const PairIndex& index,
                   const ContactsOfPairs& some, std::size_t k);
   void require_slots(const ContactsOfPairs& some, bool grown);
-  void reserve(int pairs);
-  void make_window(const Blocks& blocks, const PairIndex& index, int begin, int end);
+  void arrange_pairs(const Blocks& blocks, const PairIndex& index);
+  void make_batches(const Blocks& blocks, const Settings& settings,
+                    const PairIndex& index);
+  /// Calls visit(lane of the batch, pair) for each pair of a batch.
+  template <class Visit> void each_pair_of(int batch, const Visit& visit) const {
+    for (int k = 0; k < lane_count; ++k)
+      if (const int p = pair_of_lane[batch * lane_count + k]; p >= 0)
+        visit(k, p);
+  }
   bool has_laws(int p) const {
     return lane_of_pair[p] >= 0 && batches.pairs[lane_of_pair[p] / lane_count].has_laws;
   }

@@ -15,31 +15,33 @@ void ContactBatches::reserve(int batches, int rows, bool with_laws) {
     own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(count));
     part = own.get();
   };
-  if (batches > room_for_batches_) {
-    make(batches, own_pairs_, pairs);
-    make(batches, own_marks_, marks);
-    make(batches * lane_count, own_forces_, forces);
-    prefer_huge_pages(forces, sizeof(PairForce) * batches * lane_count);
-    make(batches * lane_count, own_stresses_, stresses);
-    make(batches * lane_count, own_works_, works);
-    room_for_batches_ = batches;
-  }
-  if (rows > room_for_rows_) {
-    make(rows, own_contacts_, contacts);
-    make(rows, own_tests_, tests);
-    make(rows, own_states_, states);
-    make(rows, own_springs_, springs);
-    make(rows, own_advanced_, advanced);
-    make(rows, own_readings_, readings);
-    room_for_rows_ = rows;
-  }
+  const auto with_spare = [](int count) { return count + count / 8; };
+  batches_ = rows_ = 0;
   with_laws_ = with_laws;
-  if (with_laws && rows > room_for_joints_) {
-    make(rows, own_faces_, faces);
-    make(rows, own_dashpots_, dashpots);
-    make(rows, own_joints_, joints);
-    make(rows, own_advanced_joints_, advanced_joints);
-    room_for_joints_ = rows;
+  if (batches > capacity_) {
+    capacity_ = with_spare(batches);
+    make(capacity_, own_pairs_, pairs);
+    make(capacity_, own_marks_, marks);
+    make(capacity_ * lane_count, own_forces_, forces);
+    prefer_huge_pages(forces, sizeof(PairForce) * capacity_ * lane_count);
+    make(capacity_ * lane_count, own_stresses_, stresses);
+    make(capacity_ * lane_count, own_works_, works);
+  }
+  if (rows > row_capacity_) {
+    row_capacity_ = with_spare(rows);
+    make(row_capacity_, own_contacts_, contacts);
+    make(row_capacity_, own_tests_, tests);
+    make(row_capacity_, own_states_, states);
+    make(row_capacity_, own_springs_, springs);
+    make(row_capacity_, own_advanced_, advanced);
+    make(row_capacity_, own_readings_, readings);
+  }
+  if (with_laws && rows > law_capacity_) {
+    law_capacity_ = with_spare(rows);
+    make(law_capacity_, own_faces_, faces);
+    make(law_capacity_, own_dashpots_, dashpots);
+    make(law_capacity_, own_joints_, joints);
+    make(law_capacity_, own_advanced_joints_, advanced_joints);
   }
 }
 

@@ -1,0 +1,104 @@
+// What a new decision changes in the slots of a pair.
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "dynamics/contacts/contact_arrays.hpp"
+#include "dynamics/contacts/partners.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+auto as_pair(const CornerOnEdge& at) { return std::pair(at.corner, at.edge); }
+
+/// Writes the contacts in ascending order of corner and edge, without springs.
+void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
+                   std::vector<PairContact>& sorted) {
+  sorted.clear();
+  for (const CornerOnEdge& at : found)
+    sorted.push_back({{.at = at, .tested = tested, .certain = !tested}});
+  std::sort(sorted.begin(), sorted.end(),
+            [](const PairContact& l, const PairContact& r) {
+              return as_pair(l.at) < as_pair(r.at);
+            });
+}
+
+}  // namespace
+
+/// Adds the contacts of `before` that may be held to `now`, in order. Leaves out
+/// contacts whose corner is bonded to another edge of the block.
+void ContactArrays::keep_held(std::vector<PairContact>& now,
+                              const std::vector<PairContact>& before) const {
+  std::erase_if(now, [&](const PairContact& found) {
+    return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
+      return old.acted && old.joint.bonded && old.at.corner == found.at.corner &&
+             old.at.edge != found.at.edge;
+    });
+  });
+  for (const PairContact& old : before) {
+    if (!old.may_be_held())
+      continue;
+    const auto place = std::lower_bound(now.begin(), now.end(), old,
+                                        [](const PairContact& l, const PairContact& r) {
+                                          return as_pair(l.at) < as_pair(r.at);
+                                        });
+    if (place == now.end() || place->at != old.at)
+      now.insert(place, PairContact{{.at = old.at}});
+  }
+}
+
+void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
+                           const std::vector<CornerOnEdge>& found, bool tested,
+                           ContactChanges& changes) {
+  std::vector<PairContact>& now = changes.now;
+  sort_contacts(found, tested, now);
+  const std::vector<PairContact>& before = changes.before;
+  const bool may_hold = laws.may_act(blocks, index.pairs[p].low, index.pairs[p].high);
+  if (may_hold) {
+    contacts_of(p, changes.before);
+    keep_held(now, before);
+    if (laws.in_situ())
+      add_partners(blocks, now);
+  }
+  bool same = true;
+  std::size_t slots = 0;
+  each_slot(p, [&](int slot) {
+    same = same && (slots < now.size() ? at(slot) == now[slots].at : is_vacant(slot));
+    ++slots;
+  });
+  const bool fits = now.size() <= slots;
+  std::size_t k = 0;
+  if (same && fits) {
+    each_slot(p, [&](int slot) {
+      batches.set(slot, &ContactTests::tested, k < now.size() && now[k].tested);
+      batches.set(slot, &ContactTests::certain, k < now.size() && now[k].certain);
+      ++k;
+    });
+    return;
+  }
+  if (!may_hold)
+    contacts_of(p, changes.before);
+  auto next = now.begin();
+  for (const PairContact& old : before) {
+    while (next != now.end() && as_pair(next->at) < as_pair(old.at))
+      ++next;
+    if (next != now.end() && next->at == old.at)
+      next->acted = old.acted, next->normal = old.normal, next->shear = old.shear,
+      next->joint = old.joint;
+    else if (old.normal > 0.0)
+      changes.released.push_back({p, old.at, old.normal, old.shear, old.joint});
+  }
+  if (!fits) {
+    changes.grown.add(p, now, !laws.none());
+    return;
+  }
+  each_slot(p, [&](int slot) {
+    fill_slot(blocks, index.pairs[p].low, slot,
+              k < now.size() ? now[k] : PairContact{});
+    ++k;
+  });
+  if (has_laws(p))
+    find_partners(blocks, p);
+}
+
+}  // namespace blocks::dynamics
