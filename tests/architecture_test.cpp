@@ -76,7 +76,10 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "dynamics/contacts",
                                             "dynamics/cracks",
                                             "dynamics/decisions",
+                                            "dynamics/energy",
                                             "dynamics/kernels",
+                                            "dynamics/loads",
+                                            "dynamics/preparation",
                                             "dynamics/rules",
                                             "dynamics/search",
                                             "dynamics/support",
@@ -237,10 +240,13 @@ TEST(Architecture, FoldersOfTheStepIncludeOnlyAllowedFolders) {
       {"search", {"search", "support"}},
       {"contacts", {"contacts", "kernels", "rules", "search", "support"}},
       {"decisions", {"decisions", "contacts", "kernels", "rules", "search", "support"}},
-      // Cracks are made between steps.
-      {"cracks",
-       {"cracks", "block_energy.hpp", "energy.hpp", "face_loads.hpp", "step.hpp",
-        "time_step.hpp", "workspace.hpp"}},
+      {"loads", {"loads", "contacts", "kernels", "support"}},
+      {"energy", {"energy", "loads", "contacts", "kernels", "support"}},
+      // Before the first step, or between steps.
+      {"preparation",
+       {"preparation", "energy", "loads", "contacts", "kernels", "rules", "search",
+        "support"}},
+      {"cracks", {"cracks", "energy", "preparation", "step.hpp", "workspace.hpp"}},
   };
   int headers = 0;
   const std::string step = "dynamics/";

@@ -1,6 +1,6 @@
 #include "dynamics/kinetic_damping.hpp"
 
-#include "dynamics/block_energy.hpp"
+#include "dynamics/energy/block_energy.hpp"
 
 namespace blocks::dynamics {
 

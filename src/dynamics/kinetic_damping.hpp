@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dynamics/energy_tally.hpp"
+#include "dynamics/energy/energy_tally.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {

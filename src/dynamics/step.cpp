@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "dynamics/domain.hpp"
-#include "dynamics/energy.hpp"
+#include "dynamics/energy/energy.hpp"
 #include "dynamics/kinetic_damping.hpp"
-#include "dynamics/loads.hpp"
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/loads/loads.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "dynamics/servo.hpp"
-#include "dynamics/time_step.hpp"
 #include "dynamics/update_pairs.hpp"
 #include "model/numbering.hpp"
 

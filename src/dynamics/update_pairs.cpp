@@ -6,9 +6,9 @@
 
 #include "dynamics/contacts/contact_list.hpp"
 #include "dynamics/kept_state.hpp"
+#include "dynamics/loads/symmetry_planes.hpp"
 #include "dynamics/search/list_tolerance.hpp"
 #include "dynamics/support/memory_pages.hpp"
-#include "dynamics/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
 namespace {

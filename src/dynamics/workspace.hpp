@@ -9,7 +9,7 @@
 #include "dynamics/decide_contacts.hpp"
 #include "dynamics/decisions/contact_rule.hpp"
 #include "dynamics/decisions/decisions.hpp"
-#include "dynamics/energy.hpp"
+#include "dynamics/energy/energy.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/rules/block_parts.hpp"
 #include "dynamics/search/near_pairs.hpp"

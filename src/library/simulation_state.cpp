@@ -9,7 +9,7 @@
 
 #include "dynamics/cracks/cracking.hpp"
 #include "dynamics/kernels/kernels.hpp"
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/deck_messages.hpp"
 #include "output/checkpoint.hpp"

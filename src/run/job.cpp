@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <variant>
 
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
 #include "quantities/quantity.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/executor/executor.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "run/built_deck.hpp"
 #include "run/deck_run.hpp"
 #include "run/reports/check_report.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/bond.hpp"
+#include "dynamics/preparation/bond.hpp"
 #include "dynamics/step.hpp"
 
 namespace blocks::study {

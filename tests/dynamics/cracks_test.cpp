@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/block_energy.hpp"
 #include "dynamics/cracks/pieces.hpp"
+#include "dynamics/energy/block_energy.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "dynamics/stepper.hpp"
-#include "dynamics/time_step.hpp"
 #include "output/fields.hpp"
 #include "scenes/joint_law.hpp"
 
@@ -275,8 +275,8 @@ TEST(Cracks, GiveTheSameBitsWithAnyCheckpoints) {
     }
 }
 
-// Each step has a new stepper, which knows only the model and its kept decisions, as after
-// a checkpoint.
+// Each step has a new stepper, which knows only the model and its kept decisions, as
+// after a checkpoint.
 TEST(Cracks, ContinueFromTheModelAlone) {
   for (const bool rigid : {true, false}) {
     const auto straight = stepped(in_other_order(rigid));

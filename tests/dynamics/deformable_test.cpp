@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dynamics/motion.hpp"
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "model/safe_fraction.hpp"
 #include "scenes/scene.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "dynamics/preparation/time_step.hpp"
 #include "dynamics/stepper.hpp"
-#include "dynamics/time_step.hpp"
 #include "model/drives.hpp"
 #include "model/removal.hpp"
 #include "output/fields.hpp"

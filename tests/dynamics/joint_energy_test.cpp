@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dynamics/bond.hpp"
+#include "dynamics/preparation/bond.hpp"
 #include "model/drives.hpp"
 #include "scenes/joint_law.hpp"
 #include "scenes/scene.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "dynamics/bond.hpp"
 #include "dynamics/kernels/kernels.hpp"
+#include "dynamics/preparation/bond.hpp"
 #include "dynamics/step.hpp"
 #include "model/drives.hpp"
 #include "scenes/joint_law.hpp"

@@ -1,14 +1,14 @@
 // MSCALE: scaled inertial masses have one critical step; weights stay.
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dynamics/block_energy.hpp"
-#include "dynamics/packed_contacts.hpp"
+#include "dynamics/energy/block_energy.hpp"
+#include "dynamics/preparation/packed_contacts.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "dynamics/step.hpp"
-#include "dynamics/time_step.hpp"
 #include "dynamics/workspace.hpp"
 #include "model/safe_fraction.hpp"
 #include "run/rectangle.hpp"

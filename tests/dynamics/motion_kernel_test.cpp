@@ -11,7 +11,7 @@
 
 #include "dynamics/motion.hpp"
 #include "dynamics/plain_motion.hpp"
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 
 namespace blocks::dynamics {
 namespace {

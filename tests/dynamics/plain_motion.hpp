@@ -6,7 +6,7 @@
 
 #include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/motion.hpp"
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 
 namespace blocks::dynamics::plain {
 

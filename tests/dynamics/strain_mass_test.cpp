@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "dynamics/block_energy.hpp"
+#include "dynamics/energy/block_energy.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {

@@ -1,5 +1,5 @@
 // How long a push takes through rows of blocks.
-#include "dynamics/travel_time.hpp"
+#include "dynamics/preparation/travel_time.hpp"
 
 #include <gtest/gtest.h>
 

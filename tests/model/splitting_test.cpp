@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "dynamics/cracks/pieces.hpp"
-#include "dynamics/loads.hpp"
+#include "dynamics/loads/loads.hpp"
 #include "scenes/joint_law.hpp"
 
 namespace blocks {

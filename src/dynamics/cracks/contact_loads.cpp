@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "dynamics/face_loads.hpp"
+#include "dynamics/preparation/face_loads.hpp"
 
 namespace blocks::dynamics {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 
 namespace blocks::dynamics {
 namespace {

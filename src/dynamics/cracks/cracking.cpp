@@ -8,13 +8,13 @@
 #include <numeric>
 #include <utility>
 
-#include "dynamics/block_energy.hpp"
 #include "dynamics/cracks/contact_loads.hpp"
 #include "dynamics/cracks/crack_rules.hpp"
 #include "dynamics/cracks/pieces.hpp"
-#include "dynamics/energy.hpp"
+#include "dynamics/energy/block_energy.hpp"
+#include "dynamics/energy/energy.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "dynamics/step.hpp"
-#include "dynamics/time_step.hpp"
 #include "model/splitting.hpp"
 
 namespace blocks::dynamics {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 #include "model/safe_fraction.hpp"

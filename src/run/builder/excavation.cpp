@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "dynamics/in_situ.hpp"
+#include "dynamics/preparation/in_situ.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/region.hpp"
 #include "model/counted.hpp"

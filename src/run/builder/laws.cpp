@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "dynamics/bond.hpp"
+#include "dynamics/preparation/bond.hpp"
 #include "geometry/angle.hpp"
 #include "model/counted.hpp"
 #include "model/drives.hpp"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "dynamics/quiet_sides.hpp"
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/make_quiet.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "model/equilibrium.hpp"
 
 namespace blocks::run {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "dynamics/in_situ.hpp"
-#include "dynamics/in_situ_planes.hpp"
+#include "dynamics/preparation/in_situ.hpp"
+#include "dynamics/preparation/in_situ_planes.hpp"
 #include "model/counted.hpp"
 #include "model/drives.hpp"
 #include "model/equilibrium.hpp"

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "dynamics/cracks/cracking.hpp"
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
 #include "model/counted.hpp"
 #include "model/law_report.hpp"
 #include "model/safe_fraction.hpp"

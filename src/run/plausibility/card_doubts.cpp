@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "geometry/overlap.hpp"
 #include "geometry/polygon.hpp"
 #include "model/counted.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "geometry/contact_constants.hpp"
 #include "model/safe_fraction.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 #include "model/counted.hpp"
 #include "model/crack_report.hpp"
 #include "model/cut_report.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "dynamics/cracks/cracking.hpp"
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
+#include "dynamics/preparation/travel_time.hpp"
 #include "dynamics/stepper.hpp"
-#include "dynamics/travel_time.hpp"
 #include "run/watch/convergence.hpp"
 #include "run/watch/soundness.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "dynamics/contact_table.hpp"
 #include "dynamics/contacts/law_table.hpp"
-#include "dynamics/face_loads.hpp"
-#include "dynamics/in_situ.hpp"
-#include "dynamics/spring_energy.hpp"
+#include "dynamics/energy/spring_energy.hpp"
+#include "dynamics/preparation/contact_table.hpp"
+#include "dynamics/preparation/face_loads.hpp"
+#include "dynamics/preparation/in_situ.hpp"
 
 namespace blocks::dynamics {
 

@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "dynamics/block_energy.hpp"
 #include "dynamics/contacts/contact_arrays.hpp"
-#include "dynamics/energy_tally.hpp"
+#include "dynamics/energy/block_energy.hpp"
+#include "dynamics/energy/energy_tally.hpp"
 #include "dynamics/support/workers.hpp"
 #include "model/model.hpp"
 

@@ -6,6 +6,21 @@
 
 namespace blocks::dynamics {
 
+/// Numbers of the corner where a side begins and of the next one.
+struct QuietEnds {
+  int first, second;
+};
+QuietEnds ends_of(const Blocks& blocks, const QuietSide& quiet);
+
+/// The dashpots at each corner of a side. Their force is
+/// -(normal p p^T + along a a^T) v. The vector a runs along the side, and p is at right
+/// angles to it. Both are as long as the side, so the coefficients are in [F T/L^3].
+struct Dashpots {
+  Vec2 a, p;
+  double normal, along;
+};
+Dashpots dashpots_of(const Blocks& blocks, const QuietSide& quiet);
+
 /// The dashpot forces of a quiet side, which act at its two corners.
 struct QuietForces {
   Vec2 arm[2];       ///< [L] from the centroid
@@ -25,19 +40,5 @@ struct QuietPower {
   double dashpots = 0.0;  ///< of the dashpots, never positive
 };
 QuietPower power_of_quiet_sides(const Model& model);
-
-/// Returns the largest rate at which dashpots slow down a motion of a free block,
-/// [1/T]. A step of 2 over that rate is unstable, with or without other forces.
-/// `sides` may have quiet sides of any blocks; only those of block b count.
-double decay_rate(const Blocks& blocks, bool rigid, int b,
-                  const std::vector<QuietSide>& sides);
-
-/// Makes a side quiet. If it is quiet already, its wave speeds are replaced, and its
-/// constant forces stay. A fixed or driven block becomes free. The force and moment
-/// that held it are added to the constant forces of the side. A deformable block also
-/// gets the stress that is in equilibrium with the forces on it. Forces and stresses
-/// are those of the last step. Returns the force that held the block, [F], and 0 for a
-/// free block. The block must be inside the domain and not removed.
-Vec2 make_quiet(Model& model, const QuietSide& quiet);
 
 }  // namespace blocks::dynamics

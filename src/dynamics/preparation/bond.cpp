@@ -1,12 +1,12 @@
-#include "dynamics/bond.hpp"
+#include "dynamics/preparation/bond.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-#include "dynamics/contact_table.hpp"
 #include "dynamics/contacts/law_table.hpp"
-#include "dynamics/faces.hpp"
+#include "dynamics/preparation/contact_table.hpp"
+#include "dynamics/preparation/faces.hpp"
 #include "dynamics/search/near_pairs.hpp"
 
 namespace blocks::dynamics {

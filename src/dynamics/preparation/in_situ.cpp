@@ -1,12 +1,12 @@
-#include "dynamics/in_situ.hpp"
+#include "dynamics/preparation/in_situ.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "dynamics/applied_force.hpp"
-#include "dynamics/in_situ_contacts.hpp"
-#include "dynamics/in_situ_planes.hpp"
-#include "dynamics/loads.hpp"
+#include "dynamics/loads/applied_force.hpp"
+#include "dynamics/loads/loads.hpp"
+#include "dynamics/preparation/in_situ_contacts.hpp"
+#include "dynamics/preparation/in_situ_planes.hpp"
 #include "dynamics/search/near_pairs.hpp"
 #include "model/removal.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/face_loads.hpp"
+#include "dynamics/preparation/face_loads.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,14 +1,14 @@
-#include "dynamics/energy.hpp"
+#include "dynamics/energy/energy.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
 
-#include "dynamics/loads.hpp"
-#include "dynamics/quiet_sides.hpp"
-#include "dynamics/spring_energy.hpp"
-#include "dynamics/symmetry_planes.hpp"
+#include "dynamics/energy/spring_energy.hpp"
+#include "dynamics/loads/loads.hpp"
+#include "dynamics/loads/quiet_sides.hpp"
+#include "dynamics/loads/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
 namespace {

@@ -1,4 +1,4 @@
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/time_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dynamics/kernels/motion_kernel.hpp"
-#include "dynamics/packed_contacts.hpp"
+#include "dynamics/preparation/packed_contacts.hpp"
 #include "geometry/polygon.hpp"
 #include "model/safe_fraction.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/block_energy.hpp"
+#include "dynamics/energy/block_energy.hpp"
 
 namespace blocks::dynamics {
 namespace {

@@ -1,41 +1,15 @@
-#include "dynamics/quiet_sides.hpp"
+#include "dynamics/preparation/make_quiet.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/Eigenvalues>
 
-#include "dynamics/applied_force.hpp"
-#include "dynamics/block_energy.hpp"
-#include "dynamics/in_situ.hpp"
-#include "dynamics/point_velocity.hpp"
+#include "dynamics/energy/block_energy.hpp"
+#include "dynamics/loads/quiet_sides.hpp"
+#include "dynamics/preparation/in_situ.hpp"
 
 namespace blocks::dynamics {
 namespace {
-
-/// Numbers of the corner where a side begins and of the next one.
-struct SideEnds {
-  int first, second;
-};
-SideEnds ends_of(const Blocks& blocks, const QuietSide& quiet) {
-  const int c = blocks.first_corner[quiet.block] + quiet.side;
-  return {c, blocks.next[c]};
-}
-
-/// The dashpots at each corner of a side. Their force is
-/// -(normal p p^T + along a a^T) v. The vector a runs along the side, and p is at right
-/// angles to it. Both are as long as the side, so the coefficients are in [F T/L^3].
-struct Dashpots {
-  Vec2 a, p;
-  double normal, along;
-};
-Dashpots dashpots_of(const Blocks& blocks, const QuietSide& quiet) {
-  const auto [c1, c2] = ends_of(blocks, quiet);
-  const Vec2 a = blocks.corner.col(c2) - blocks.corner.col(c1);
-  const double density = blocks.mass[quiet.block] / blocks.area[quiet.block];
-  const double half = 0.5 * density / std::sqrt(a.squaredNorm());
-  return {a, Vec2(-a.y(), a.x()), half * quiet.cp, half * quiet.cs};
-}
 
 /// Divides the force and the moment about the centroid between the ends of a side, as a
 /// traction that is linear along the side.
@@ -50,40 +24,6 @@ void hold(const Blocks& blocks, QuietSide& quiet, const Vec2& force, double mome
 }
 
 }  // namespace
-
-QuietForces forces_of(const Blocks& blocks, const QuietSide& quiet) {
-  const auto [c1, c2] = ends_of(blocks, quiet);
-  const Dashpots by = dashpots_of(blocks, quiet);
-  QuietForces forces;
-  forces.arm[0] = blocks.present_arm(c1), forces.arm[1] = blocks.present_arm(c2);
-  for (int i = 0; i < 2; ++i) {
-    const Vec2 v = point_velocity(blocks, quiet.block, forces.arm[i]);
-    forces.velocity[i] = v;
-    forces.force[i] =
-        -(by.normal * by.p.dot(v)) * by.p - (by.along * by.a.dot(v)) * by.a;
-  }
-  return forces;
-}
-
-void add_quiet_sides(Blocks& blocks, const std::vector<QuietSide>& sides) {
-  for (const QuietSide& quiet : sides) {
-    const QuietForces forces = forces_of(blocks, quiet);
-    add_force(blocks, quiet.block, forces.arm[0], quiet.first + forces.force[0]);
-    add_force(blocks, quiet.block, forces.arm[1], quiet.second + forces.force[1]);
-  }
-}
-
-QuietPower power_of_quiet_sides(const Model& model) {
-  QuietPower power;
-  for (const QuietSide& quiet : model.loads.quiet_sides) {
-    const QuietForces forces = forces_of(model.blocks, quiet);
-    power.constant += quiet.first.dot(forces.velocity[0]);
-    power.constant += quiet.second.dot(forces.velocity[1]);
-    for (int i = 0; i < 2; ++i)
-      power.dashpots += forces.force[i].dot(forces.velocity[i]);
-  }
-  return power;
-}
 
 double decay_rate(const Blocks& blocks, bool rigid, int b,
                   const std::vector<QuietSide>& sides) {

@@ -1,10 +1,10 @@
-#include "dynamics/mass_scaling.hpp"
+#include "dynamics/preparation/mass_scaling.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/packed_contacts.hpp"
-#include "dynamics/time_step.hpp"
+#include "dynamics/preparation/packed_contacts.hpp"
+#include "dynamics/preparation/time_step.hpp"
 
 namespace blocks::dynamics {
 namespace {

@@ -1,4 +1,4 @@
-#include "dynamics/in_situ_contacts.hpp"
+#include "dynamics/preparation/in_situ_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "dynamics/in_situ.hpp"
+#include "dynamics/preparation/in_situ.hpp"
 
 namespace blocks::dynamics {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "dynamics/faces.hpp"
+#include "dynamics/preparation/faces.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {

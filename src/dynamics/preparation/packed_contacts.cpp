@@ -1,4 +1,4 @@
-#include "dynamics/packed_contacts.hpp"
+#include "dynamics/preparation/packed_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dynamics/travel_time.hpp"
+#include "dynamics/preparation/travel_time.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/packed_contacts.hpp"
+#include "dynamics/preparation/packed_contacts.hpp"
 #include "dynamics/search/near_pairs.hpp"
 
 namespace blocks::dynamics {

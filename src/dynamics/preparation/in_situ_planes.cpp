@@ -1,11 +1,11 @@
-#include "dynamics/in_situ_planes.hpp"
+#include "dynamics/preparation/in_situ_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "dynamics/symmetry_planes.hpp"
+#include "dynamics/loads/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
 namespace {

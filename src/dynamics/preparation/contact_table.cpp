@@ -1,4 +1,4 @@
-#include "dynamics/contact_table.hpp"
+#include "dynamics/preparation/contact_table.hpp"
 
 #include <algorithm>
 

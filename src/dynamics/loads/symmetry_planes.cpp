@@ -1,13 +1,13 @@
-#include "dynamics/symmetry_planes.hpp"
+#include "dynamics/loads/symmetry_planes.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "dynamics/applied_force.hpp"
 #include "dynamics/contacts/dashpot.hpp"
 #include "dynamics/kernels/contact_law.hpp"
-#include "dynamics/point_velocity.hpp"
+#include "dynamics/loads/applied_force.hpp"
+#include "dynamics/loads/point_velocity.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {

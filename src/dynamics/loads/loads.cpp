@@ -1,9 +1,9 @@
-#include "dynamics/loads.hpp"
+#include "dynamics/loads/loads.hpp"
 
-#include "dynamics/applied_force.hpp"
-#include "dynamics/point_velocity.hpp"
-#include "dynamics/quiet_sides.hpp"
-#include "dynamics/symmetry_planes.hpp"
+#include "dynamics/loads/applied_force.hpp"
+#include "dynamics/loads/point_velocity.hpp"
+#include "dynamics/loads/quiet_sides.hpp"
+#include "dynamics/loads/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
 

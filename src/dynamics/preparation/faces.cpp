@@ -1,4 +1,4 @@
-#include "dynamics/faces.hpp"
+#include "dynamics/preparation/faces.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dynamics/spring_energy.hpp"
+#include "dynamics/energy/spring_energy.hpp"
 
 #include "dynamics/kernels/laws.hpp"
 
