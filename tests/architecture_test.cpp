@@ -236,7 +236,7 @@ TEST(Architecture, FoldersOfTheStepIncludeOnlyAllowedFolders) {
   const std::map<std::string, std::set<std::string>> may = {
       {"support", {"support"}},
       {"kernels", {"kernels"}},
-      {"rules", {"rules"}},
+      {"rules", {"rules", "support"}},
       {"search", {"search", "support"}},
       {"contacts", {"contacts", "kernels", "rules", "search", "support"}},
       {"decisions", {"decisions", "contacts", "kernels", "rules", "search", "support"}},

@@ -13,22 +13,15 @@ namespace {
 using dynamics::BlockParts;
 using dynamics::PairIndex;
 using dynamics::PairScratch;
+using dynamics::RuleParts;
 using dynamics::Workspace;
 
-/// The contact rule with other predicates. Every pair is decided in every step.
-template <class Predicates, bool transfers = true>
-struct PairRules : dynamics::RuleWith<Predicates> {
-  PairRules() : dynamics::RuleWith<Predicates>({false, transfers}) {}
-};
+constexpr RuleParts without_third_parts{.third_parts = false};
 
-struct NoFar : dynamics::ExactPredicates {
-  static constexpr bool far_sides = false;
-};
-struct NoJoints : dynamics::ExactPredicates {
-  static constexpr bool joints = false;
-};
-struct NoFaces : dynamics::ExactPredicates {
-  static constexpr bool faces = false;
+/// The contact rule with some of its parts. Every pair is decided in every step.
+template <RuleParts with, bool transfers = true>
+struct PairRules : dynamics::PairwiseRule {
+  PairRules() : PairwiseRule({false, transfers}, with) {}
 };
 
 /// The rules of the report (3.2, 3.3): each listed corner is decided with each of its
@@ -126,26 +119,27 @@ constexpr Variant variant(std::string_view name, std::string_view what,
 
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
-      variant<dynamics::RuleWith<dynamics::ExactPredicates>>(
+      variant<dynamics::PairwiseRule>(
           "default", "the contact rule of every run: the least axis of a pair of "
                      "blocks whose side is surface of all blocks together"),
       // the contact rule without one of its parts
-      variant<PairRules<NoFar>>("no-far", "default, whether an axis is far or not"),
-      variant<PairRules<NoJoints>>(
+      variant<PairRules<RuleParts{.far_axes = false}>>(
+          "no-far", "default, whether an axis is far or not"),
+      variant<PairRules<without_third_parts>>(
           "no-joints", "default without third parts, as if pairs were alone"),
-      variant<PairRules<NoFaces>>(
+      variant<PairRules<RuleParts{.faces = false}>>(
           "no-faces", "default, but of two faces one corner acts, the deepest"),
-      variant<PairRules<dynamics::ExactPredicates, false>>(
+      variant<PairRules<RuleParts{}, false>>(
           "no-hand-over", "default, but springs do not pass to other contacts"),
       // the rules of 1982
       variant<ReportRules, PrintedSigns>(
           "report", "the report's rules in doubles, (19) as printed"),
       // other corners, as in other codes
-      variant<PairRules<NoJoints>>("chamfer", "no-joints; corners cut by 1 % of a side",
-                                   Corners::chamfered),
-      variant<PairRules<NoJoints>>(
+      variant<PairRules<without_third_parts>>(
+          "chamfer", "no-joints; corners cut by 1 % of a side", Corners::chamfered),
+      variant<PairRules<without_third_parts>>(
           "rounded", "no-joints; corners rounded over 1 % of a side", Corners::rounded),
-      variant<PairRules<NoJoints>>(
+      variant<PairRules<without_third_parts>>(
           "skin", "no-joints; outlines moved inwards by 0.1 % of the size",
           Corners::skinned),
   };

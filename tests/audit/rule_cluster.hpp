@@ -17,20 +17,6 @@ namespace blocks::testing {
 using ContactSet = std::vector<std::pair<int, int>>;  ///< corners and edges
 using Adjacency = std::vector<std::vector<int>>;
 
-/// Neighbours in the form that the contact rule needs.
-struct Listed {
-  const Adjacency& lists;
-  template <class Visit> void each(int block, const Visit& visit) const {
-    for (const int other : lists[block])
-      visit(other);
-  }
-  int count(int block) const { return static_cast<int>(lists[block].size()); }
-};
-
-/// The contact rule of the program.
-template <class Neighbours>
-using ProgramRule = dynamics::PairRule<dynamics::ExactPredicates, Neighbours>;
-
 /// Returns the convex parts of all blocks.
 inline std::vector<audit::ConvexPart> parts_of(const dynamics::BlockParts& cut,
                                                const Blocks& blocks) {
@@ -77,11 +63,16 @@ struct Cluster {
     }
   }
   ContactSet by_program(int a, int b) const {
-    const Listed listed{neighbours};
+    dynamics::Groups listed;
+    listed.sort(blocks.size(), [&](const auto& add) {
+      for (int block = 0; block < blocks.size(); ++block)
+        for (const int other : neighbours[block])
+          add(block, other);
+    });
     dynamics::PairScratch scratch;
-    ProgramRule<Listed> rule(blocks, cut, listed, scratch);
+    decide_pair(blocks, cut, listed, a, b, {}, scratch);
     std::set<std::pair<int, int>> found;
-    for (const dynamics::CornerOnEdge& contact : rule.decide(a, b))
+    for (const dynamics::CornerOnEdge& contact : scratch.found)
       found.emplace(contact.corner, contact.edge);
     return {found.begin(), found.end()};
   }

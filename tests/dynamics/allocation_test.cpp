@@ -133,7 +133,7 @@ TEST(Memory, OfABrickInAWallIsBelow3500Bytes) {
   EXPECT_GT(totals(scene.model).active_contacts, 1000);
   const double each = (bytes_in_use() - before) / (rows * bricks);
   RecordProperty("bytes_of_a_brick", std::to_string(each));
-  // A brick takes 3,240 bytes with spare capacity. Forces of all potential contacts
+  // A brick takes 3,450 bytes with spare capacity. Forces of all potential contacts
   // would add 1,400.
   EXPECT_LT(each, 3500.0);
   EXPECT_GT(each, 1000.0);

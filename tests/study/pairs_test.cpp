@@ -21,7 +21,7 @@ namespace {
 using geometry::Polygon;
 
 /// The contact rule that decides every pair in every step.
-const dynamics::RuleWith<dynamics::ExactPredicates> without_kept_decisions{{false}};
+const dynamics::PairwiseRule without_kept_decisions{{false}};
 
 /// Steps a model with and without kept decisions. Corners may move apart by
 /// `most_apart`, [L]; 0: all bits have to be equal. Returns the number of kept

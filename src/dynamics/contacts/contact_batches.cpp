@@ -15,7 +15,7 @@ void ContactBatches::reserve(int batches, int rows, bool with_laws) {
     own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(count));
     part = own.get();
   };
-  const auto with_spare = [](int count) { return count + count / 8; };
+  const auto with_spare = [](int count) { return count + count / 16; };
   batches_ = rows_ = 0;
   with_laws_ = with_laws;
   if (batches > capacity_) {

@@ -15,7 +15,7 @@ class ContactBatches : public BatchArrays {
   int batches() const { return batches_; }
   int rows() const { return rows_; }
   /// Removes all batches and reserves memory for others, with the arrays for laws of
-  /// joints if `with_laws`. It is an eighth larger, so that a pile that falls is
+  /// joints if `with_laws`. It is a sixteenth larger, so that a pile that falls is
   /// seldom given new memory. The operating system provides pages when they are first
   /// used.
   void reserve(int batches, int rows, bool with_laws);

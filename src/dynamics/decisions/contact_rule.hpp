@@ -32,21 +32,25 @@ class ContactRule {
   const Options options;
 };
 
-/// The rule of docs/contact-rule.md with the given predicates.
-template <class Predicates> class RuleWith : public ContactRule {
+/// The rule of docs/contact-rule.md, or some parts of it.
+class PairwiseRule : public ContactRule {
  public:
-  explicit RuleWith(const ContactRule::Options& chosen = {}) : ContactRule(chosen) {}
+  explicit PairwiseRule(const Options& chosen = {}, const RuleParts& with = {})
+      : ContactRule(chosen), with_(with) {}
 
   void decide(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
               int p, PairScratch& scratch) const override {
-    PairRule<Predicates, Groups> rule(blocks, parts, index.neighbours, scratch);
-    rule.decide(index.pairs[p].low, index.pairs[p].high);
+    decide_pair(blocks, parts, index.neighbours, index.pairs[p].low,
+                index.pairs[p].high, with_, scratch);
   }
+
+ private:
+  RuleParts with_;
 };
 
 /// Returns the rule of every run.
 inline const ContactRule& exact_rule() {
-  static const RuleWith<ExactPredicates> rule;
+  static const PairwiseRule rule;
   return rule;
 }
 

@@ -14,10 +14,9 @@
 namespace blocks::dynamics {
 
 /// Adds the depths of two parts to a list.
-template <class Predicates> class KeptDepths {
+class KeptDepths {
  public:
-  KeptDepths(PairShape<Predicates>& shape, const BlockParts& parts,
-             std::vector<KeptDepth>& kept)
+  KeptDepths(PairShape& shape, const BlockParts& parts, std::vector<KeptDepth>& kept)
       : shape_(shape), parts_(parts), kept_(kept) {}
 
   /// The two parts are apart beyond the side of an axis.
@@ -64,7 +63,7 @@ template <class Predicates> class KeptDepths {
     return geometry::contact_slack * (e.end - e.start).norm();
   }
 
-  PairShape<Predicates>& shape_;
+  PairShape& shape_;
   const BlockParts& parts_;
   std::vector<KeptDepth>& kept_;
 };

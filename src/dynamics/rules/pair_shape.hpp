@@ -47,9 +47,9 @@ struct PartShape {
 };
 using PairMemory = std::array<PartShape, 2>;
 
-template <class Predicates> class PairShape {
+class PairShape {
  public:
-  PairShape(PairMemory& memory, Predicates& ask) : parts_(memory), predicates_(ask) {}
+  explicit PairShape(PairMemory& memory) : parts_(memory) {}
 
   /// Copies the current corners of two parts. The depths are computed later, one side
   /// at a time (find_depths).
@@ -79,7 +79,8 @@ template <class Predicates> class PairShape {
     geometry::filter::Estimate* const depths = row(s);
     int deepest = 0;
     for (int k = 0; k < count; ++k) {
-      depths[k] = predicates_.depth(at({other, k}).start, e.start, e.end, e.per_length);
+      depths[k] =
+          geometry::filter::depth(at({other, k}).start, e.start, e.end, e.per_length);
       deepest = depths[k].value > depths[deepest].value ? k : deepest;
     }
     return {s, {other, deepest}};
@@ -118,8 +119,8 @@ template <class Predicates> class PairShape {
   int compare_corners(const PairSide& s, int k, int l) {
     const int other = 1 - s.part;
     const Segment& e = at(s);
-    return predicates_.turn_sign(at({other, k}).start, at({other, l}).start, e.start,
-                                 e.end);
+    return geometry::turn_sign(at({other, k}).start, at({other, l}).start, e.start,
+                               e.end);
   }
   /// Returns whether the depth of an axis is certainly larger than that of corner k
   /// below side s. If the result is false, either may be larger.
@@ -136,7 +137,7 @@ template <class Predicates> class PairShape {
         const Axis axis = axis_of({part, i});
         const Segment& e = at(axis.side);
         if (!depth(axis).positive() &&
-            !predicates_.near_or_inside(at(axis.corner).start, e.start, e.end)) {
+            !geometry::near_or_inside(at(axis.corner).start, e.start, e.end)) {
           separating_ = axis;
           return false;
         }
@@ -164,22 +165,26 @@ template <class Predicates> class PairShape {
     if (is_surely_deeper(a, b.side, b.corner.index))
       return false;
     const Segment &e = at(a.side), &f = at(b.side);
-    return predicates_.compare_depths(at(a.corner).start, e.start, e.end,
-                                      at(b.corner).start, f.start, f.end) < 0;
+    return geometry::compare_depths(at(a.corner).start, e.start, e.end,
+                                    at(b.corner).start, f.start, f.end) < 0;
   }
 
   /// Returns -1 if a corner of the other part is outside a side, +1 if it is inside,
   /// and 0 if it is on the side's line.
   int depth_sign(const PairSide& s, int corner) {
     const Segment& e = at(s);
-    return predicates_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start,
-                                  e.start, e.end);
+    const geometry::filter::Estimate& of = depth(s, corner);
+    if (of.positive())
+      return 1;
+    return of.negative()
+               ? -1
+               : geometry::overlap_sign(at({1 - s.part, corner}).start, e.start, e.end);
   }
   /// Calls visit(side) for a side and the sides of its part in line with it: first the
   /// side itself, then the sides before it, then those after it.
   template <class Visit> void each_in_line(const PairSide& s, const Visit& visit) {
     const auto run_on = [&](const PairSide& first, const PairSide& next) {
-      return predicates_.in_line(at(first).start, at(first).end, at(next).end);
+      return in_line(at(first).start, at(first).end, at(next).end);
     };
     visit(s);
     for (PairSide side = before(s); run_on(side, after(side)); side = before(side))
@@ -217,8 +222,8 @@ template <class Predicates> class PairShape {
     const Segment &b = at(before), &a = at(after);
     const bool one = face(e, b), other = face(e, a);
     if (one && other)
-      return predicates_.compare_slopes(e.start, e.end, a.start, a.end, b.start,
-                                        b.end) < 0
+      return geometry::compare_slopes(e.start, e.end, a.start, a.end, b.start, b.end) <
+                     0
                  ? after
                  : before;
     if (one)
@@ -227,10 +232,16 @@ template <class Predicates> class PairShape {
   }
   /// Returns whether two sides run against each other within ten degrees (20).
   bool face(const Segment& s, const Segment& t) {
-    return predicates_.edges_face(s.start, s.end, t.start, t.end);
+    return geometry::edges_face(s.start, s.end, t.start, t.end);
   }
 
  private:
+  /// Returns whether the side p2 q is in line with the side p1 p2 before it: the far
+  /// corner of each is within the slack of the other side's line.
+  static bool in_line(const Vec2& p1, const Vec2& p2, const Vec2& q) {
+    return (p2 - p1).dot(q - p2) > 0.0 && geometry::near_or_inside(q, p2, p1) &&
+           geometry::near_or_inside(p1, q, p2);
+  }
   /// Copies the sides of a part.
   static void take_part(const Blocks& blocks, const BlockParts& parts, int part,
                         PartShape& shape) {
@@ -255,7 +266,6 @@ template <class Predicates> class PairShape {
   }
 
   PairMemory& parts_;
-  Predicates& predicates_;
   Axis separating_;
 };
 

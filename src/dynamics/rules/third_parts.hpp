@@ -8,6 +8,7 @@
 
 #include "dynamics/rules/block_parts.hpp"
 #include "dynamics/rules/part_box.hpp"
+#include "dynamics/support/groups.hpp"
 #include "geometry/contact_constants.hpp"
 #include "geometry/polygon.hpp"
 #include "model/blocks.hpp"
@@ -15,17 +16,15 @@
 namespace blocks::dynamics {
 
 /// Calls visit(part) for the other parts of the block of `own` and for the parts of all
-/// blocks that may lie near both blocks and may touch that of `other`. neighbours:
-/// Groups, or another class whose each(b, visit) calls visit(block) for each block that
-/// block b is paired with, in a fixed order, and whose count(b) returns their number.
+/// blocks that may lie near both blocks and may touch that of `other`. neighbours: the
+/// blocks that each block is paired with.
 ///
 /// The list of either block has all blocks that are near both, so the shorter one is
 /// used: a long floor costs its bricks no more than a short one. But the list of a
 /// block that stays where it is lacks other such blocks, so that of `own` must move.
-template <class Neighbours, class Visit>
+template <class Visit>
 void each_third_part(const Blocks& blocks, const BlockParts& parts,
-                     const Neighbours& neighbours, int own, int other,
-                     const Visit& visit) {
+                     const Groups& neighbours, int own, int other, const Visit& visit) {
   const int own_block = parts.block(own), other_block = parts.block(other);
   const bool own_moves = blocks.is_free(own_block) || blocks.is_driven(own_block);
   const bool by_own =
@@ -46,9 +45,8 @@ class ThirdParts {
  public:
   /// Collects the third parts of `own` whose boxes meet the grown ones of both, so the
   /// result does not depend on how far the list of pairs reaches.
-  template <class Neighbours>
-  void collect(const Blocks& blocks, const BlockParts& parts,
-               const Neighbours& neighbours, int own, int other) {
+  void collect(const Blocks& blocks, const BlockParts& parts, const Groups& neighbours,
+               int own, int other) {
     count_ = 0;
     const PartBox of_own = PartBox(blocks, parts, own).grown(geometry::third_reach),
                   of_other = PartBox(blocks, parts, other).grown(geometry::third_reach);
