@@ -36,9 +36,10 @@ void decide_due(const Blocks& blocks, Workspace& work, DecisionThread& thread) {
     thread.certain.find(blocks, work.parts, index, decisions, thread.due);
   for (std::size_t k = 0; k < thread.due.size(); ++k) {
     const int p = thread.due[k];
-    if (keeps && thread.certain[k].room > 0.0) {
+    if (keeps && thread.certain[k].validity > 0.0) {
       const CertainDecision& decision = thread.certain[k];
-      decisions.keep_certain(blocks, index.pairs[p], p, decision.room, decision.growth);
+      decisions.keep_certain(blocks, index.pairs[p], p, decision.validity,
+                             decision.growth);
       work.contacts.assign(blocks, index, p, decision.contacts, true, thread.changes);
       continue;
     }
@@ -77,7 +78,7 @@ void expect_contacts(Workspace& work) {
   const std::vector<double>& longest = work.decisions.bounds.longest;
   for (int p = 0; p < work.index.size(); ++p) {
     const auto [low, high] = work.index.pairs[p];
-    const double apart = work.decisions.pairs[p].room.motion;
+    const double apart = work.decisions.pairs[p].validity.distance;
     if (work.contacts.slots_of_pair[p] == 0 && apart > 0.0 &&
         apart < near_share * std::min(longest[low], longest[high]))
       work.contacts.slots_of_pair[p] = ContactArrays::contacts_of_two_faces;

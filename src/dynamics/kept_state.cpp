@@ -59,11 +59,11 @@ KeptDecisions kept_decisions(const Workspace& work) {
     const auto& [poses, depths] = decisions.pairs[p].renewal;
     kept.poses.insert(kept.poses.end(), poses.begin(), poses.end());
     kept.depths.insert(kept.depths.end(), depths.begin(), depths.end());
-    Room room = decisions.pairs[p].room;
-    room.motion = std::min(room.motion, largest);
-    room.until = std::min(room.until, largest);
+    Validity validity = decisions.pairs[p].validity;
+    validity.distance = std::min(validity.distance, largest);
+    validity.until = std::min(validity.until, largest);
     kept.pairs.push_back(
-        {low, high, room, static_cast<int>(kept.contacts.size() - before),
+        {low, high, validity, static_cast<int>(kept.contacts.size() - before),
          static_cast<int>(poses.size()), static_cast<int>(depths.size())});
   }
   for (std::size_t b = 0; b < work.changed_blocks.size(); ++b)
@@ -97,8 +97,8 @@ void restore_decisions(Model& model, Workspace& work) {
     const auto limit = [](double stored) {
       return stored < largest ? stored : infinite;
     };
-    decisions.pairs[p].room = {limit(pair.room.motion), limit(pair.room.until),
-                               pair.room.then};
+    decisions.pairs[p].validity = {limit(pair.validity.distance),
+                                   limit(pair.validity.until), pair.validity.pose};
     decisions.pairs[p].renewal = {{pose, pose + pair.poses},
                                   {depth, depth + pair.depths}};
     pose += pair.poses, depth += pair.depths;

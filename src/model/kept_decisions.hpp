@@ -18,21 +18,21 @@ struct PairPose {
 };
 
 /// How long a decision certainly holds. The default has ended already.
-struct Room {
-  /// [L] The motion of the two blocks since `then` has to be less. 0 for decisions of
-  /// the exact rule.
-  double motion = 0.0;
+struct Validity {
+  /// [L] The validity distance: the motion of the two blocks since `pose` has to be
+  /// less. 0 for decisions of the exact rule.
+  double distance = 0.0;
   /// [L] The largest path of any block (KeptDecisions::most) has to be less: a
   /// neighbour may matter then. Infinite if no neighbour, not even a new one, can
   /// matter.
   double until = 0.0;
-  PairPose then;
+  PairPose pose;
 };
 
 /// Two blocks near each other, and how long their decision holds.
 struct KeptPair {
   int low = 0, high = 0;  ///< blocks, low < high
-  Room room;
+  Validity validity;
   int contacts = 0;  ///< number of its entries in KeptDecisions::contacts
   int poses = 0;     ///< the same in KeptDecisions::poses
   int depths = 0;    ///< the same in KeptDecisions::depths

@@ -24,22 +24,22 @@ void visit_poses(P& poses, const char* name, Archive& ar) {
 template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
   auto& [pairs, contacts, poses, depths, pieces, longest_path, blocks] = kept;
   ar.records("kept/pairs", pairs, [](auto& column, auto& pair) {
-    auto& [low, high, room, contact_count, pose_count, depth_count] = pair;
-    auto& [motion, until, then] = room;
+    auto& [low, high, validity, contact_count, pose_count, depth_count] = pair;
+    auto& [distance, until, pose] = validity;
     column({"low", IndexOf::block}, low);
     column({"high", IndexOf::block}, high);
-    column({"motion", not_negative}, motion);
+    column({"motion", not_negative}, distance);
     column({"until", not_negative}, until);
-    column("apart_x", then.apart.x());
-    column("apart_y", then.apart.y());
-    column("low_g0", then.low[0]);
-    column("low_g1", then.low[1]);
-    column("low_g2", then.low[2]);
-    column("low_g3", then.low[3]);
-    column("high_g0", then.high[0]);
-    column("high_g1", then.high[1]);
-    column("high_g2", then.high[2]);
-    column("high_g3", then.high[3]);
+    column("apart_x", pose.apart.x());
+    column("apart_y", pose.apart.y());
+    column("low_g0", pose.low[0]);
+    column("low_g1", pose.low[1]);
+    column("low_g2", pose.low[2]);
+    column("low_g3", pose.low[3]);
+    column("high_g0", pose.high[0]);
+    column("high_g1", pose.high[1]);
+    column("high_g2", pose.high[2]);
+    column("high_g3", pose.high[3]);
     column({"contacts", count_from_0}, contact_count);
     column({"poses", count_from_0}, pose_count);
     column({"depths", count_from_0}, depth_count);

@@ -1,5 +1,5 @@
 // Certain decisions agree with the exact rule, at once and after any motion within
-// their room.
+// their validity distance.
 #include "dynamics/decisions/certain_decisions.hpp"
 
 #include <gtest/gtest.h>
@@ -106,7 +106,7 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
     for (int p = 0; p < static_cast<int>(index.pairs.size()); ++p) {
       ++count.pairs;
       const CertainDecision& decision = cluster.certain[static_cast<std::size_t>(p)];
-      if (!(decision.room > 0.0))
+      if (!(decision.validity > 0.0))
         continue;
       ++count.certain;
       const Contacts before = cluster.exact(p);
@@ -116,10 +116,10 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
       Blocks& blocks = cluster.model.blocks;
       Decisions& decisions = cluster.work.decisions;
       const NearPair& pair = index.pairs[p];
-      decisions.keep_certain(blocks, pair, p, decision.room, decision.growth);
+      decisions.keep_certain(blocks, pair, p, decision.validity, decision.growth);
       const double longest = decisions.bounds.longest_path;
       for (int trial = 0; trial < 2; ++trial) {
-        const double own = cluster.clusters.uniform(0.0, 0.999) * decision.room;
+        const double own = cluster.clusters.uniform(0.0, 0.999) * decision.validity;
         const double share = cluster.clusters.uniform(0.0, 1.0);
         // All blocks move by less than the growth, or the two alone move by more.
         const double growth = std::min(1.0, 0.999 * decision.growth);

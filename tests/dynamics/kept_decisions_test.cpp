@@ -30,20 +30,21 @@ PairIndex index_of(std::vector<NearPair> pairs, int blocks) {
 Decisions made(const PairIndex& index, double until) {
   Decisions decisions;
   for (int p = 0; p < index.size(); ++p) {
-    decisions.pairs.push_back({.room = {.motion = 1.0 + p, .until = until, .then = {}},
-                               .renewal = {},
-                               .examined_at_pair_path = 0.5 + p,
-                               .examined_at_longest_path = infinite});
+    decisions.pairs.push_back(
+        {.validity = {.distance = 1.0 + p, .until = until, .pose = {}},
+         .renewal = {},
+         .examined_at_pair_path = 0.5 + p,
+         .examined_at_longest_path = infinite});
     decisions.next_check.push_back(0.25 + p);
   }
   return decisions;
 }
 
-std::vector<double> rooms_of(const Decisions& decisions) {
-  std::vector<double> rooms;
+std::vector<double> distances_of(const Decisions& decisions) {
+  std::vector<double> distances;
   for (const PairDecision& one : decisions.pairs)
-    rooms.push_back(one.room.motion);
-  return rooms;
+    distances.push_back(one.validity.distance);
+  return distances;
 }
 
 // A row of six blocks. A search finds that blocks 0 and 2 are near, and no longer lists
@@ -55,7 +56,7 @@ TEST(KeptDecisions, OutliveASearch) {
   const PairIndex old = index_of(row, 6), now = index_of(later, 6);
   Decisions decisions = made(old, infinite);
   decisions.keep_in(now, old, {});
-  EXPECT_EQ(rooms_of(decisions), (std::vector<double>{1, 0, 2, 3, 4}));
+  EXPECT_EQ(distances_of(decisions), (std::vector<double>{1, 0, 2, 3, 4}));
   EXPECT_EQ(decisions.next_check, (std::vector<double>{0.25, 0, 1.25, 2.25, 3.25}));
 }
 
@@ -64,7 +65,7 @@ TEST(KeptDecisions, EndIfANewNeighbourMayMatter) {
   Decisions decisions = made(old, 10.0);
   decisions.keep_in(now, old, {});
   // Blocks 0 and 2 have a new neighbour. Blocks 3 and 4 have lost one at most.
-  EXPECT_EQ(rooms_of(decisions), (std::vector<double>{0, 0, 0, 0, 4}));
+  EXPECT_EQ(distances_of(decisions), (std::vector<double>{0, 0, 0, 0, 4}));
 }
 
 TEST(KeptDecisions, EndIfABlockOrANeighbourHasSplit) {
@@ -75,8 +76,8 @@ TEST(KeptDecisions, EndIfABlockOrANeighbourHasSplit) {
   Decisions alone = made(old, infinite), among_others = made(old, 10.0);
   alone.keep_in(now, old, changed);
   among_others.keep_in(now, old, changed);
-  EXPECT_EQ(rooms_of(alone), (std::vector<double>{1, 2, 3, 4, 0, 0}));
-  EXPECT_EQ(rooms_of(among_others), (std::vector<double>{1, 2, 3, 0, 0, 0}));
+  EXPECT_EQ(distances_of(alone), (std::vector<double>{1, 2, 3, 4, 0, 0}));
+  EXPECT_EQ(distances_of(among_others), (std::vector<double>{1, 2, 3, 0, 0, 0}));
 }
 
 /// The fields of the decisions that a checkpoint contains, as one text.

@@ -72,7 +72,7 @@ Model full_model() {
   model.kept.contacts = {{.corner = 4, .edge = 1, .tested = true}};
   model.kept.pairs = {{.low = 0,
                        .high = 1,
-                       .room = {.motion = 1e-3, .until = 2e-3, .then = {}},
+                       .validity = {.distance = 1e-3, .until = 2e-3, .pose = {}},
                        .contacts = 1,
                        .poses = 2,
                        .depths = 1}};

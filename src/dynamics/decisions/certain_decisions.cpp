@@ -11,7 +11,7 @@ namespace {
 
 /// By how much MotionBounds::longest_path may grow, for each unit of length between a
 /// third part and the reach of a contact point (docs/kept-decisions.md#third-parts).
-constexpr double growth_per_room = 0.15;
+constexpr double growth_per_clearance = 0.15;
 
 /// [L] The growth if there is no third part. It is finite, because a new neighbour may
 /// be one.
@@ -32,19 +32,19 @@ class LaneDecision {
 
   void take(CertainDecision& decision) {
     const double apart = answers_.apart[lane_];
-    room_ = answers_.faces[lane_];
+    validity_ = answers_.faces[lane_];
     // Parts that are near get their contacts before they touch. So "apart" is preferred
-    // only if it holds for more than a quarter of the other room.
-    if (apart > 0.0 && apart > 0.25 * room_) {
-      decision.room = std::min(decision.room, apart);
+    // only if it holds for more than a quarter of the other distance.
+    if (apart > 0.0 && apart > 0.25 * validity_) {
+      decision.validity = std::min(decision.validity, apart);
       return;
     }
-    if (!(room_ > 0.0) || !sides_are_plain() || !third_parts_are_away()) {
-      decision.room = 0.0;
+    if (!(validity_ > 0.0) || !sides_are_plain() || !third_parts_are_away()) {
+      decision.validity = 0.0;
       return;
     }
     add_contacts(decision.contacts);
-    decision.room = std::min(decision.room, room_);
+    decision.validity = std::min(decision.validity, validity_);
     decision.growth = std::min(decision.growth, growth_);
   }
 
@@ -64,13 +64,13 @@ class LaneDecision {
     return are_away;
   }
   bool is_away(int part) {
-    const double least_room =
+    const double min_clearance =
         0x1p-9 * std::min(bounds_.longest[pair_.low], bounds_.longest[pair_.high]);
     const double beyond =
         answers_.reach[lane_] + answers_.rounding[lane_] + bounds_.rounding;
-    const double room = distance_to(part, beyond + least_room) - beyond;
-    growth_ = std::min(growth_, growth_per_room * room);
-    return room >= least_room;
+    const double clearance = distance_to(part, beyond + min_clearance) - beyond;
+    growth_ = std::min(growth_, growth_per_clearance * clearance);
+    return clearance >= min_clearance;
   }
   /// Returns a lower bound of the distance from the contact point to a part, [L]. It is
   /// found with less work if it is at least `enough`.
@@ -98,8 +98,8 @@ class LaneDecision {
     };
     const auto add = [&](int k, int at, int edge) {
       const double beyond = answers_.beyond[k][lane_];
-      if (beyond > 0.25 * room_)
-        room_ = std::min(room_, beyond);
+      if (beyond > 0.25 * validity_)
+        validity_ = std::min(validity_, beyond);
       else if (std::find(contacts.begin(), contacts.end(), CornerOnEdge{at, edge}) ==
                contacts.end())
         contacts.push_back({at, edge});
@@ -123,7 +123,7 @@ class LaneDecision {
   int own_, other_;  ///< numbers of the part with the axis side and of the other part
   int side_, facing_, corner_;
   const NearPair& pair_;
-  double room_ = 0.0;
+  double validity_ = 0.0;
   double growth_ = growth_alone;
 };
 
@@ -136,13 +136,14 @@ void CertainDecisions::find(const Blocks& blocks, const BlockParts& parts,
   two_parts_.clear();
   for (std::size_t k = 0; k < due.size(); ++k) {
     decisions_[k].contacts.clear();
-    decisions_[k].room = decisions_[k].growth = std::numeric_limits<double>::infinity();
+    decisions_[k].validity = decisions_[k].growth =
+        std::numeric_limits<double>::infinity();
     const NearPair& pair = index.pairs[due[k]];
     each_pair_of_parts(parts, pair.low, pair.high, [&](int p, int q) {
       if (std::max(parts.corners(p), parts.corners(q)) <= PartPairs::max_corners)
         two_parts_.push_back({static_cast<int>(k), {p, q}});
       else
-        decisions_[k].room = 0.0;
+        decisions_[k].validity = 0.0;
     });
   }
   for (std::size_t first = 0; first < two_parts_.size(); first += lane_count)
@@ -177,7 +178,7 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
   for (int i = 0; i < count; ++i) {
     const TwoParts& two = two_parts_[first + i];
     CertainDecision& decision = decisions_[two.of];
-    if (decision.room > 0.0)
+    if (decision.validity > 0.0)
       LaneDecision(blocks, parts, index, decisions, due[two.of], answers_, i, two.part)
           .take(decision);
   }

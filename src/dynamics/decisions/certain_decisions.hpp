@@ -18,9 +18,9 @@ struct CertainDecision {
   /// The contacts that may act. Each acts if its corner is inside its edge (19) and
   /// between the ends of the edge.
   std::vector<CornerOnEdge> contacts;
-  /// [L] The decision holds while the motion of the two blocks is less than this. If it
-  /// is 0, the pair is in doubt.
-  double room = 0.0;
+  /// [L] The validity distance: the decision holds while the motion of the two blocks
+  /// is less. If it is 0, the pair is in doubt.
+  double validity = 0.0;
   /// [L] The decision holds while MotionBounds::longest_path grows by less than this:
   /// then a neighbour may matter. It is infinite if no neighbour can ever matter.
   double growth = std::numeric_limits<double>::infinity();

@@ -64,7 +64,7 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
     if (k == old.pairs.size() || !(old.pairs[k] == now.pairs[p]))
       continue;
     const bool needs_neighbours =
-        !old_pairs[k].renewal.empty() || old_pairs[k].room.until < infinite;
+        !old_pairs[k].renewal.empty() || old_pairs[k].validity.until < infinite;
     const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
     if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
@@ -74,21 +74,21 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
 }
 
 void Decisions::keep_certain(const Blocks& blocks, const NearPair& pair, int p,
-                             double room, double growth) {
+                             double validity, double growth) {
   const auto [low, high] = pair;
   pairs[p].renewal.clear();
-  pairs[p].room = {room,
-                   bounds.longest_path + growth,
-                   {blocks.centroid.col(high) - blocks.centroid.col(low),
-                    blocks.gradient.col(low), blocks.gradient.col(high)}};
-  postpone(pair, p, room, pairs[p].room.until);
+  pairs[p].validity = {validity,
+                       bounds.longest_path + growth,
+                       {blocks.centroid.col(high) - blocks.centroid.col(low),
+                        blocks.gradient.col(low), blocks.gradient.col(high)}};
+  postpone(pair, p, validity, pairs[p].validity.until);
 }
 
 void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
                            const PairIndex& index, int p,
                            const std::vector<KeptDepth>& depths, bool asked_of_third) {
   const auto [low, high] = index.pairs[p];
-  pairs[p].room = {};
+  pairs[p].validity = {};
   Renewal& renewal = pairs[p].renewal;
   renewal.depths = depths;
   renewal.poses.clear();
@@ -110,12 +110,12 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
 }
 
 double Decisions::motion_since(const Blocks& blocks, const NearPair& pair,
-                               const PairPose& then) const {
+                               const PairPose& pose) const {
   const auto [low, high] = pair;
   const Vec2 apart = blocks.centroid.col(high) - blocks.centroid.col(low);
-  return 1.0000001 * (apart - then.apart).norm() +
-         bounds.turn(blocks, low, then.low.data()) +
-         bounds.turn(blocks, high, then.high.data());
+  return 1.0000001 * (apart - pose.apart).norm() +
+         bounds.turn(blocks, low, pose.low.data()) +
+         bounds.turn(blocks, high, pose.high.data());
 }
 
 double Decisions::motion_since(const Blocks& blocks,
@@ -189,10 +189,10 @@ bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
   const Renewal& renewal = pairs[p].renewal;
   const auto [low, high] = pair;
   if (renewal.empty()) {
-    const Room& room = pairs[p].room;
-    const double left = room.motion - motion_since(blocks, pair, room.then);
-    postpone(pair, p, left, room.until);
-    return left > 0.0 && bounds.longest_path < room.until;
+    const Validity& validity = pairs[p].validity;
+    const double left = validity.distance - motion_since(blocks, pair, validity.pose);
+    postpone(pair, p, left, validity.until);
+    return left > 0.0 && bounds.longest_path < validity.until;
   }
   const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
   if (!(to_limits > 0.0))

@@ -29,18 +29,18 @@ struct Renewal {
 ///   the sum of the paths of the two blocks < examined_at_pair_path, and
 ///   MotionBounds::longest_path < examined_at_longest_path;
 /// then a certain decision holds while
-///   the net motion of the two blocks < room.motion, and
-///   MotionBounds::longest_path < room.until;
+///   the net motion of the two blocks < validity.distance, and
+///   MotionBounds::longest_path < validity.until;
 /// and one of the exact rule while its depths are in their limits, and the blocks of
 /// its poses have moved by less than Decisions::renewal_motion. All are in [L].
 struct PairDecision {
-  Room room;        ///< of certain decisions; the default for all others
-  Renewal renewal;  ///< of decisions of the exact rule; empty for all others
+  Validity validity;  ///< of certain decisions; the default for all others
+  Renewal renewal;    ///< of decisions of the exact rule; empty for all others
   double examined_at_pair_path = 0.0, examined_at_longest_path = 0.0;
 
   /// The decision has to be made again.
   void expire() {
-    room = {}, renewal.clear();
+    validity = {}, renewal.clear();
     examined_at_pair_path = examined_at_longest_path = 0.0;
   }
 };
@@ -73,9 +73,9 @@ struct Decisions {
         expire(static_cast<int>(p));
   }
   /// Keeps the decision of pair p, made now, while the motion of the two blocks is less
-  /// than `room`, [L], and MotionBounds::longest_path has grown by less than `growth`,
-  /// [L].
-  void keep_certain(const Blocks& blocks, const NearPair& pair, int p, double room,
+  /// than `validity`, [L], and MotionBounds::longest_path has grown by less than
+  /// `growth`, [L].
+  void keep_certain(const Blocks& blocks, const NearPair& pair, int p, double validity,
                     double growth);
   /// Keeps the decision of pair p, made now by the exact rule, until one of the depths
   /// leaves its limits, or its blocks and their neighbours have moved against each
@@ -90,7 +90,7 @@ struct Decisions {
              int p);
   /// Returns the motion of the two blocks since a decision was made, [L].
   double motion_since(const Blocks& blocks, const NearPair& pair,
-                      const PairPose& then) const;
+                      const PairPose& pose) const;
   /// Returns by how much blocks have moved against the first one since they were at
   /// these poses, [L].
   double motion_since(const Blocks& blocks, const std::vector<KeptPose>& kept) const;

@@ -23,7 +23,7 @@ struct alignas(64) PartPairs {
 };
 
 /// What is certain about each pair. A margin is a bound of the motion of the two blocks
-/// (Room::motion), [L]: below it the answer cannot change. If the margin is not
+/// (Validity::distance), [L]: below it the answer cannot change. If the margin is not
 /// positive, the answer is in doubt.
 struct alignas(64) FacingAnswers {
   PerLane<double> apart;  ///< margin: the parts are apart by more than the slack

@@ -37,9 +37,9 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   // There is no margin if the square of a length may overflow or underflow.
   const Mask proper =
       (least(two[0].shortest, two[1].shortest) > smallest) & (farthest < largest);
-  const Pack largest_room =
+  const Pack max_validity =
       proper ? 0.125 * least(longest[0], longest[1]) : Pack{} - 1.0;
-  store(answers.apart, i, least(most(of_first, of_second), largest_room));
+  store(answers.apart, i, least(most(of_first, of_second), max_validity));
   store(answers.own, i, part);
   store(answers.side, i, side);
 
@@ -118,7 +118,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
       least(least(no_face(of_corner), no_face(of_previous)), between);
   store(answers.faces, i,
         least(least(faces ? two_faces : one_corner, f_below.are_deepest),
-              least(others_are_deeper, largest_room)));
+              least(others_are_deeper, max_validity)));
   store(answers.facing, i, facing_or_none);
   store(answers.corner, i, corner);
   store(answers.x, i, point.x);
