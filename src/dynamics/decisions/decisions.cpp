@@ -157,9 +157,9 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
         (blocks.centroid.col(kept.other_block) - blocks.centroid.col(kept.own_block))
             .norm() +
         bounds.stretch(blocks, kept.other_block) * bounds.longest[kept.other_block];
-    const double hold = (bounds.rigid ? 1.0 : 0.25) *
-                        std::min(1.0, 2.0 * bounds.longest[kept.own_block] / away);
-    least = std::min(least, hold * std::min(depth - kept.least, kept.most - depth));
+    const double slowness = (bounds.rigid ? 1.0 : 0.25) *
+                            std::min(1.0, 2.0 * bounds.longest[kept.own_block] / away);
+    least = std::min(least, slowness * std::min(depth - kept.least, kept.most - depth));
   }
   return least;
 }

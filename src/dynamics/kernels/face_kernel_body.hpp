@@ -25,7 +25,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   for (int p = 0; p < 2; ++p)
     for (int k = 0; k < count; ++k) {
       FacingSide& s = two[p].side[k];
-      s.hold = hold_of(s.x, s.y, two[1 - p], longest[1 - p], strict);
+      s.slowness = slowness_of(s.x, s.y, two[1 - p], longest[1 - p], strict);
     }
 
   Pack depth = Pack{} + never, part = {}, side = {};
@@ -100,20 +100,20 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   // The axes of f are those of the same two faces, or they are deeper.
   const Pack same_faces =
       least(e_below.are_deepest, least(steeper(f, e_before), steeper(f, e_after)));
-  const Pack f_is_deeper = f_below.less_than(f.depth, f.hold_of_depth, margins);
+  const Pack f_is_deeper = f_below.less_than(f.depth, f.slowness_of_depth, margins);
   const Mask short_e = e.length < 0.2 * f.length, short_f = f.length < 0.2 * e.length;
   const Pack ends_of_e = least(off_ends(f, e, margins), off_ends(f, e_after, margins));
   const Pack ends_of_f = least(off_ends(e, f, margins), off_ends(e, f_end, margins));
   const Pack not_at_ends = short_e ? ends_of_e : (short_f ? ends_of_f : Pack{} + never);
 
   const ContactPoint point(e, f, f_end, faces);
-  const Pack hold = 0.5 * strict;
+  const Pack slowness = 0.5 * strict;
   const Pack two_faces = least(least(of_angle(facing_sine - slope.sine),
                                      least(steeper(e, f_before), steeper(e, f_after))),
                                least(least(most(same_faces, f_is_deeper), not_at_ends),
-                                     margins.of(point.half, hold)));
+                                     margins.of(point.half, slowness)));
   const Pack foot = along(e, f.x, f.y);
-  const Pack between = margins.of(least(foot, e.length - foot), hold);
+  const Pack between = margins.of(least(foot, e.length - foot), slowness);
   const Pack one_corner =
       least(least(no_face(of_corner), no_face(of_previous)), between);
   store(answers.faces, i,

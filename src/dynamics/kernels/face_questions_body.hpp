@@ -23,10 +23,11 @@ struct FacingSide {
   Pack x, y;    ///< [L] position of the corner
   Pack ux, uy;  ///< unit vector along the side; 0 beyond the last side of the part
   Pack length;  ///< [L]
-  /// How a depth of the corner depends on the motion of the blocks: a motion w changes
-  /// the depth by at most w / hold.
-  Pack hold;
-  Pack depth, hold_of_depth;  ///< [L] depth of the axis of the side, and its hold
+  /// How slowly a depth of the corner changes with the motion of the blocks: a motion w
+  /// changes the depth by at most w / slowness.
+  Pack slowness;
+  Pack depth;              ///< [L] of the axis of the side
+  Pack slowness_of_depth;  ///< of this depth
 };
 
 struct Part {
@@ -52,9 +53,9 @@ BLOCKS_INLINE FacingSide pick(const Part& part, Pack number, int count) {
     found.x = it ? s.x : found.x, found.y = it ? s.y : found.y;
     found.ux = it ? s.ux : found.ux, found.uy = it ? s.uy : found.uy;
     found.length = it ? s.length : found.length;
-    found.hold = it ? s.hold : found.hold;
+    found.slowness = it ? s.slowness : found.slowness;
     found.depth = it ? s.depth : found.depth;
-    found.hold_of_depth = it ? s.hold_of_depth : found.hold_of_depth;
+    found.slowness_of_depth = it ? s.slowness_of_depth : found.slowness_of_depth;
   }
   return found;
 }
@@ -68,12 +69,13 @@ BLOCKS_INLINE Pack after(Pack number, Pack corners) {
 /// The margin by which a value is positive, after rounding and motion.
 struct Margins {
   Pack rounding;  ///< [L]
-  BLOCKS_INLINE Pack of(Pack value, Pack hold) const {
-    return (value - rounding) * hold;
+  BLOCKS_INLINE Pack of(Pack value, Pack slowness) const {
+    return (value - rounding) * slowness;
   }
   /// The margin by which one depth is larger than another one.
-  BLOCKS_INLINE Pack deeper(Pack one, Pack hold, Pack other, Pack other_hold) const {
-    return of(one - other, 0.5 * least(hold, other_hold));
+  BLOCKS_INLINE Pack deeper(Pack one, Pack slowness, Pack other,
+                            Pack other_slowness) const {
+    return of(one - other, 0.5 * least(slowness, other_slowness));
   }
 };
 
@@ -113,11 +115,12 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
   }
 }
 
-/// Returns the hold of a corner with respect to the other block. A motion w changes the
-/// position of the corner, seen from that block, by at most w max(1, d / 2r). Here d is
-/// its distance from that block's centroid, and r is the longest arm of that block.
-BLOCKS_INLINE Pack hold_of(Pack x, Pack y, const Part& other, Pack longest,
-                           Pack strict) {
+/// Returns the slowness of a corner with respect to the other block. A motion w changes
+/// the position of the corner, seen from that block, by at most w max(1, d / 2r). Here
+/// d is its distance from that block's centroid, and r is the longest arm of that
+/// block.
+BLOCKS_INLINE Pack slowness_of(Pack x, Pack y, const Part& other, Pack longest,
+                               Pack strict) {
   const Pack distance = absolute(x - other.x) + absolute(y - other.y);
   return strict * least(Pack{} + 1.0, 2.0 * longest / distance);
 }
@@ -130,16 +133,16 @@ BLOCKS_INLINE Pack find_axes(Part& own, const Part& other, int count,
   Pack apart = Pack{} - never;
   for (int k = 0; k < count; ++k) {
     FacingSide& s = own.side[k];
-    Pack deepest = Pack{} - never, hold = {}, away = Pack{} + never;
+    Pack deepest = Pack{} - never, slowness = {}, away = Pack{} + never;
     for (int j = 0; j < count; ++j) {
       const FacingSide& c = other.side[j];
       const Pack d = depth_below(s, c.x, c.y);
-      away = least(away, margins.of(-d - slack * s.length, c.hold));
+      away = least(away, margins.of(-d - slack * s.length, c.slowness));
       const Mask deeper = d > deepest;
-      deepest = deeper ? d : deepest, hold = deeper ? c.hold : hold;
+      deepest = deeper ? d : deepest, slowness = deeper ? c.slowness : slowness;
     }
     const Mask is_side = static_cast<double>(k) < own.corners;
-    s.depth = is_side ? deepest : Pack{} + never, s.hold_of_depth = hold;
+    s.depth = is_side ? deepest : Pack{} + never, s.slowness_of_depth = slowness;
     apart = is_side ? most(apart, away) : apart;
     const Mask less = s.depth < depth;
     depth = less ? s.depth : depth;
@@ -155,17 +158,20 @@ BLOCKS_INLINE void choose(Mask second, const Part& a, const Part& b, int count,
   to.x = second ? b.x : a.x, to.y = second ? b.y : a.y;
   for (int k = 0; k < count; ++k) {
     const FacingSide &p = a.side[k], &q = b.side[k];
-    to.side[k] = {
-        second ? q.x : p.x,           second ? q.y : p.y,
-        second ? q.ux : p.ux,         second ? q.uy : p.uy,
-        second ? q.length : p.length, second ? q.hold : p.hold,
-        second ? q.depth : p.depth,   second ? q.hold_of_depth : p.hold_of_depth};
+    to.side[k] = {second ? q.x : p.x,
+                  second ? q.y : p.y,
+                  second ? q.ux : p.ux,
+                  second ? q.uy : p.uy,
+                  second ? q.length : p.length,
+                  second ? q.slowness : p.slowness,
+                  second ? q.depth : p.depth,
+                  second ? q.slowness_of_depth : p.slowness_of_depth};
   }
 }
 
 /// The two ends of a side of one part, and their depths below a side of the other part.
 struct EndsBelow {
-  Pack depth[2], hold[2];
+  Pack depth[2], slowness[2];
   Pack deepest;  ///< [L]
   /// Margin: the deepest corner of the part is one of the two ends.
   Pack are_deepest;
@@ -173,26 +179,26 @@ struct EndsBelow {
   BLOCKS_INLINE EndsBelow(const Part& part, int count, Pack start, Pack end,
                           const FacingSide& first, const FacingSide& last,
                           const FacingSide& e, const Margins& margins) {
-    depth[0] = depth_below(e, first.x, first.y), hold[0] = first.hold;
-    depth[1] = depth_below(e, last.x, last.y), hold[1] = last.hold;
+    depth[0] = depth_below(e, first.x, first.y), slowness[0] = first.slowness;
+    depth[1] = depth_below(e, last.x, last.y), slowness[1] = last.slowness;
     const Mask swapped = depth[1] > depth[0];
     deepest = swapped ? depth[1] : depth[0];
-    const Pack hold_of_deepest = swapped ? hold[1] : hold[0];
+    const Pack slowness_of_deepest = swapped ? slowness[1] : slowness[0];
     are_deepest = Pack{} + never;
     for (int j = 0; j < count; ++j) {
       const FacingSide& c = part.side[j];
       const Pack number = Pack{} + static_cast<double>(j);
       const Mask other = (number != start) & (number != end) & (number < part.corners);
-      const Pack margin =
-          margins.deeper(deepest, hold_of_deepest, depth_below(e, c.x, c.y), c.hold);
+      const Pack margin = margins.deeper(deepest, slowness_of_deepest,
+                                         depth_below(e, c.x, c.y), c.slowness);
       are_deepest = other ? least(are_deepest, margin) : are_deepest;
     }
   }
   /// Returns the margin by which an axis is deeper than both ends.
-  BLOCKS_INLINE Pack less_than(Pack axis, Pack hold_of_axis,
+  BLOCKS_INLINE Pack less_than(Pack axis, Pack slowness_of_axis,
                                const Margins& margins) const {
-    return least(margins.deeper(axis, hold_of_axis, depth[0], hold[0]),
-                 margins.deeper(axis, hold_of_axis, depth[1], hold[1]));
+    return least(margins.deeper(axis, slowness_of_axis, depth[0], slowness[0]),
+                 margins.deeper(axis, slowness_of_axis, depth[1], slowness[1]));
   }
 };
 
@@ -225,8 +231,8 @@ BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
   for (int k = 0; k < count; ++k) {
     const Pack number = Pack{} + static_cast<double>(k);
     const FacingSide &s = own.side[k], &t = other.side[k];
-    const Pack of_own = ends.less_than(s.depth, s.hold_of_depth, margins);
-    const Pack of_other = ends.less_than(t.depth, t.hold_of_depth, margins);
+    const Pack of_own = ends.less_than(s.depth, s.slowness_of_depth, margins);
+    const Pack of_other = ends.less_than(t.depth, t.slowness_of_depth, margins);
     all = (number < own.corners) & (number != side) ? least(all, of_own) : all;
     all = (number < other.corners) & (number != facing) ? least(all, of_other) : all;
   }
@@ -238,7 +244,7 @@ BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
 BLOCKS_INLINE Pack beyond(const FacingSide& e, const FacingSide& corner,
                           const Margins& margins) {
   const Pack foot = along(e, corner.x, corner.y);
-  return margins.of(most(-foot, foot - e.length) - slack * e.length, corner.hold);
+  return margins.of(most(-foot, foot - e.length) - slack * e.length, corner.slowness);
 }
 
 /// Returns the margin by which the foot of a corner is away from both ends of a long
@@ -248,7 +254,7 @@ BLOCKS_INLINE Pack off_ends(const FacingSide& e, const FacingSide& corner,
   const Pack foot = along(e, corner.x, corner.y);
   return margins.of(least(absolute(foot), absolute(foot - e.length)) -
                         2.0 * slack * e.length,
-                    corner.hold);
+                    corner.slowness);
 }
 
 }  // namespace
