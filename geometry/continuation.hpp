@@ -33,10 +33,10 @@ bool is_in_notch_of(const PolygonAxis& axis, Outline third);
 
 /// Returns whether the foot of corner c on the line p1 p2 is beyond an end of that
 /// side, at the joint between the side and a third polygon, which does not contain the
-/// corner (docs/contact-rule.md#sides-without-an-end). least: the axis of least depth
+/// corner (docs/contact-rule.md#sides-without-an-end). least_axis: the axis of least depth
 /// of the two polygons.
 bool is_at_joint_with(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                      const PolygonAxis& least, Outline third);
+                      const PolygonAxis& least_axis, Outline third);
 
 /// Returns whether a segment of a side, of positive length, lies in another convex
 /// polygon, borders included.

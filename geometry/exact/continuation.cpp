@@ -42,9 +42,9 @@ bool is_in_notch_of(const PolygonAxis& axis, Outline third) {
 }
 
 bool is_at_joint_with(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                      const PolygonAxis& least, Outline third) {
+                      const PolygonAxis& least_axis, Outline third) {
   return decide([&](auto number) {
-    return continuation::is_at_joint<decltype(number)>(c, p1, p2, least, third);
+    return continuation::is_at_joint<decltype(number)>(c, p1, p2, least_axis, third);
   });
 }
 

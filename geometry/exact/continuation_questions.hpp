@@ -292,7 +292,7 @@ template <class Number> class AxisQuestion {
 /// polygon, which does not contain the corner.
 template <class Number>
 bool is_at_joint(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                 const PolygonAxis& least, Outline third) {
+                 const PolygonAxis& least_axis, Outline third) {
   const Side<Number> e(p1, p2);
   const Arrow<Number> corner(c);
   const Number foot = e.foot(corner);
@@ -305,7 +305,7 @@ bool is_at_joint(const Vec2& c, const Vec2& p1, const Vec2& p2,
   for (int i = 0; i < static_cast<int>(third.size()) && !is_outside; ++i)
     is_outside = excludes_corner(i);
   return is_outside && AxisQuestion<Number>::is_near(
-                           e.at(foot), third, AxisQuestion<Number>(least).depth2());
+                           e.at(foot), third, AxisQuestion<Number>(least_axis).depth2());
 }
 
 /// Returns the square of the diameter of the common region of two polygons, 0 if there

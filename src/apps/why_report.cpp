@@ -36,7 +36,7 @@ const char* word(audit::Choice choice) {
     return "least axis touches";
   case audit::Choice::axis:
     return "axis acts";
-  case audit::Choice::least:
+  case audit::Choice::least_axis:
     return "least axis acts";
   case audit::Choice::none:
     break;

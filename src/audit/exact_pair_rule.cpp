@@ -207,15 +207,15 @@ std::optional<FarBound> ExactPairRule::far_bound(const Pair& pair,
 }
 
 /// Returns the first third part that carries one of the two (step 4), or -1.
-int ExactPairRule::find_carrier(const Pair& pair, const Axis& least) const {
+int ExactPairRule::find_carrier(const Pair& pair, const Axis& least_axis) const {
   for (const int own : pair.part)
     for (const int third : pair.thirds_of(own)) {
       const int other = own == pair.part[0] ? pair.part[1] : pair.part[0];
       if (pair.shift > Dyadic(geometry::deepest_share) *
                            separating_shift(shape_[other], shape_[third]))
         continue;
-      const ThirdOf whose = own == least.side.part ? ThirdOf::own : ThirdOf::other;
-      const auto obstacle = find_obstacle(shapes_of(least), shape_[third], whose);
+      const ThirdOf whose = own == least_axis.side.part ? ThirdOf::own : ThirdOf::other;
+      const auto obstacle = find_obstacle(shapes_of(least_axis), shape_[third], whose);
       if (!obstacle || !obstacle->hides)
         continue;
       const PartDecision decision = find_axis(third, other);
@@ -266,15 +266,15 @@ PartDecision ExactPairRule::decide_parts(int part, int other) const {
   PartDecision decision = find_axis(part, other);
   if (!is_doubtful(decision))
     return decision;
-  const Axis& least = decision.axes.front();
-  const Pair pair = pair_of(part, other, depth_of(least));
-  decision.carrier = find_carrier(pair, least);
+  const Axis& least_axis = decision.axes.front();
+  const Pair pair = pair_of(part, other, depth_of(least_axis));
+  decision.carrier = find_carrier(pair, least_axis);
   if (decision.carrier >= 0) {
     decision.choice = Choice::none;
     decision.candidates.clear();
   } else if (decision.choice == Choice::none) {
-    decision.choice = Choice::least, decision.chosen = 0;
-    decision.candidates = candidates(pair, least, true);
+    decision.choice = Choice::least_axis, decision.chosen = 0;
+    decision.candidates = candidates(pair, least_axis, true);
   }
   return decision;
 }
@@ -286,8 +286,8 @@ bool ExactPairRule::is_doubtful(const PartDecision& decision) const {
     return true;
   if (decision.chosen <= 0)
     return false;
-  const Axis& least = decision.axes.front();
-  return !(depth_of(least) > slack_ * line(least.side).length());
+  const Axis& least_axis = decision.axes.front();
+  return !(depth_of(least_axis) > slack_ * line(least_axis.side).length());
 }
 
 ExactPairRule::Pair ExactPairRule::pair_of(int part, int other,

@@ -89,7 +89,7 @@ class ExactPairRule {
                                     const PartSide& side) const;
   std::optional<FarBound> far_bound(const Pair& pair, const Axis& axis) const;
   bool is_doubtful(const PartDecision& decision) const;
-  int find_carrier(const Pair& pair, const Axis& least) const;
+  int find_carrier(const Pair& pair, const Axis& least_axis) const;
   std::vector<Blocking> blocking(const Pair& pair, const Axis& axis) const;
   void examine(const Pair& pair, Axis& axis, bool is_least) const;
   Pair pair_of(int part, int other, const Length& shift) const;

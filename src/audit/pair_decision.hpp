@@ -86,7 +86,7 @@ enum class Choice {
   apart,     ///< nothing: a side separates them by more than the slack
   touching,  ///< the least axis: its side separates them
   axis,      ///< the first axis that is neither skipped nor far nor hidden
-  least,     ///< the least axis: there is no such axis, and no third part carries
+  least_axis,     ///< the least axis: there is no such axis, and no third part carries
   none,      ///< nothing: a third part carries one of the two
 };
 

@@ -88,7 +88,7 @@ void add_axes(const ExactPairRule& rule, const PartDecision& decision, Lines& li
                           decision.chosen < 0 ? "no axis is left"
                                               : "the least axis is within the slack",
                           name_of_part(rule, decision.carrier)));
-  else if (decision.choice == Choice::least)
+  else if (decision.choice == Choice::least_axis)
     lines.add(0, "no axis is left, and no third part carries: the least axis "
                  "acts");
   else if (rest > 0)

@@ -69,7 +69,7 @@ KeptDecisions kept_decisions(const Workspace& work) {
   for (std::size_t b = 0; b < work.changed_blocks.size(); ++b)
     if (work.changed_blocks[b] != 0)
       kept.pieces.push_back(static_cast<int>(b));
-  kept.most = decisions.bounds.longest_path;
+  kept.longest_path = decisions.bounds.longest_path;
   kept.blocks = static_cast<int>(decisions.bounds.longest.size());
   return kept;
 }
@@ -84,7 +84,7 @@ void restore_decisions(Model& model, Workspace& work) {
   work.parts.make(blocks);
   Decisions& decisions = work.decisions;
   decisions.bounds.start(blocks, model.settings.rigid);
-  decisions.bounds.longest_path = kept.most;
+  decisions.bounds.longest_path = kept.longest_path;
   decisions.reset(work.index.size());
   ContactsOfPairs listed, contacts;
   read_list(blocks, model.contacts, model.joint_states, work.index, listed);

@@ -125,11 +125,11 @@ void control_servos(Model& model, const ContactArrays& contacts) {
         read_servo_contacts(model, contacts, servo, along, length);
     // Without contacts the stress is 0. A side that is to press then moves on until it
     // touches. One that is to pull has nothing to pull, and waits.
-    double speed = servo.target < 0.0 ? servo.most : 0.0;
+    double speed = servo.target < 0.0 ? servo.max_speed : 0.0;
     if (read.stiffness > 0.0)
       speed = std::clamp(servo_gain * length * (read.stress - servo.target) /
                              (read.stiffness * model.time_step.dt),
-                         -servo.most, servo.most);
+                         -servo.max_speed, servo.max_speed);
     // Corners are clockwise, so the outward normal is the side turned to the left.
     const Vec2 velocity(-along.y() * speed, along.x() * speed);
     drive->velocity = velocity;

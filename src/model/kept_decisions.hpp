@@ -22,7 +22,7 @@ struct Validity {
   /// [L] The validity distance: the motion of the two blocks since `pose` has to be
   /// less. 0 for decisions of the exact rule.
   double distance = 0.0;
-  /// [L] The largest path of any block (KeptDecisions::most) has to be less: a
+  /// [L] The largest path of any block (KeptDecisions::longest_path) has to be less: a
   /// neighbour may matter then. Infinite if no neighbour, not even a new one, can
   /// matter.
   double until = 0.0;
@@ -76,7 +76,7 @@ struct KeptDecisions {
   std::vector<KeptDepth> depths;
   std::vector<int> pieces;  ///< blocks that have split since the last search, ascending
   /// [L] bound of the path of every block since the decisions began
-  double most = 0.0;
+  double longest_path = 0.0;
   int blocks = 0;  ///< number of blocks at the last search; 0: no decisions
 
   bool empty() const { return blocks == 0; }

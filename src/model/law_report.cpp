@@ -93,7 +93,7 @@ std::string law_report(const Model& model) {
     text += fmt::format(
         "block {} is driven by a servo: normal stress {:g} on side {}, speed up to "
         "{:g}\n",
-        servo.block + 1, servo.target, servo.side + 1, servo.most);
+        servo.block + 1, servo.target, servo.side + 1, servo.max_speed);
   const auto has_servo = [&](int block) {
     return std::any_of(model.servos.begin(), model.servos.end(),
                        [&](const Servo& servo) { return servo.block == block; });

@@ -54,7 +54,7 @@ struct Drive {
 struct Servo {
   int block = 0, side = 0;  ///< from 0
   double target = 0.0;      ///< [F/L^2] normal stress, tension positive
-  double most = 0.0;        ///< [L/T] largest speed > 0
+  double max_speed = 0.0;   ///< [L/T] largest speed > 0
 };
 
 /// QUIET: dashpots and constant forces at the two corners of a side of a free block.

@@ -200,11 +200,11 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("spin", spin);
   });
   ar.records("servos", servos, [](auto& column, auto& servo) {
-    auto& [block, side, target, most] = servo;
+    auto& [block, side, target, max_speed] = servo;
     column({"block", IndexOf::block}, block);
     column("side", side);
     column("target", target);
-    column({"most", positive}, most);
+    column({"most", positive}, max_speed);
   });
   {
     auto& [dt, block, block_count, elastic, pieces] = time_step;

@@ -107,7 +107,7 @@ struct Branches {
     case Choice::axis:
       ++count["axis acts"];
       break;
-    case Choice::least:
+    case Choice::least_axis:
       ++count["no axis left, least axis acts"];
       break;
     case Choice::none:

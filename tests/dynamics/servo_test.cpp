@@ -54,7 +54,7 @@ Scene plate(const Frame& frame, bool rigid, const JointLaw* law = nullptr,
 void touch(Scene& scene) {
   for (int i = 0; i < 2000 && !(springs(scene) < -0.3e5); ++i)
     scene.step();
-  scene.model.servos[0].most = 100.0;
+  scene.model.servos[0].max_speed = 100.0;
   scene.step();
 }
 
@@ -153,7 +153,7 @@ TEST(Servo, DoesNotOvershootWithLawsThatStiffen) {
         scene.step();
         lowest = std::min(lowest, stress(scene, frame, 1));
         if (stress(scene, frame, 1) != 0.0)  // It has approached slowly.
-          scene.model.servos[0].most = 1e3;
+          scene.model.servos[0].max_speed = 1e3;
       }
       EXPECT_NEAR(stress(scene, frame, 1), -1e6, 1e-6 * 1e6);
       EXPECT_GT(lowest, -1e6 * (1 + 1e-6));
@@ -212,7 +212,7 @@ TEST(Servo, HoldsItsStressOnFreeBlocks) {
             scene.step();
             worst = std::max(worst, std::abs(stress(scene, frame, 2) + 1e4));
             if (stress(scene, frame, 2) != 0.0)
-              scene.model.servos[0].most = vmax;
+              scene.model.servos[0].max_speed = vmax;
           }
           EXPECT_NEAR(stress(scene, frame, 2), -1e4, 0.02 * 1e4)
               << rigid << ' ' << damping << ' ' << thickness;

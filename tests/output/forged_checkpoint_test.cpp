@@ -67,7 +67,7 @@ Model full_model() {
                          .begin = 0.0,
                          .duration = 0.25}}};
   model.energy.kept = true;
-  model.kept.blocks = 2, model.kept.most = 0.5;
+  model.kept.blocks = 2, model.kept.longest_path = 0.5;
   model.kept.poses = {{.block = 0}, {.block = 1}};
   model.kept.contacts = {{.corner = 4, .edge = 1, .tested = true}};
   model.kept.pairs = {{.low = 0,
@@ -305,7 +305,7 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
             "drive 2 is out of order");
   EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].block = 1; }),
             "servos names block 2, which has no drive");
-  EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].most = 0; }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].max_speed = 0; }),
             "servos/most: value 1 is 0, expected a number above 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.servos.push_back(m.servos[0]); }),
             "servo 2 is out of order");

@@ -155,7 +155,7 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
                                     const std::vector<int>& due, std::size_t first) {
   const int count =
       static_cast<int>(std::min<std::size_t>(lane_count, two_parts_.size() - first));
-  lanes_.most = 0;
+  lanes_.used_corners = 0;
   lanes_.rigid = decisions.bounds.rigid;
   for (int i = 0; i < lane_count; ++i) {
     const TwoParts& two = two_parts_[first + (i < count ? i : 0)];
@@ -164,14 +164,14 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
       lanes_.block[k][i] = block;
       lanes_.corners[k][i] = parts.corners(part);
       lanes_.longest[k][i] = decisions.bounds.longest[block];
-      lanes_.most = std::max(lanes_.most, parts.corners(part));
+      lanes_.used_corners = std::max(lanes_.used_corners, parts.corners(part));
     }
   }
   for (int i = 0; i < lane_count; ++i)
     for (int k = 0; k < 2; ++k) {
       const int part = two_parts_[first + (i < count ? i : 0)].part[k];
       const int corners = parts.corners(part);
-      for (int c = 0; c < lanes_.most; ++c)
+      for (int c = 0; c < lanes_.used_corners; ++c)
         lanes_.corner[k][c][i] = parts.corner(part, c < corners ? c : 0);
     }
   kernels().find_faces(lanes_, state_of(blocks), answers_);

@@ -82,8 +82,8 @@ rough_strength(const LawValues<Number>& law, const Number& length, const Number&
   const Number bounded = above < largest_ratio ? above : Number{} + largest_ratio;
   const Number peak = law.roughness * per_degree * log10_of(bounded);
   const Number rough = peak * mobilised(u);
-  const Number most = largest_angle - law.residual_angle;
-  const Number limited = rough < most ? rough : most;
+  const Number max_rough = largest_angle - law.residual_angle;
+  const Number limited = rough < max_rough ? rough : max_rough;
   const Number unmobilised = law.residual_angle * (u * (1.0 / 0.3) - 1.0);
   const Number angle = u < 0.3 ? unmobilised : limited;
   const Number total = positive(Number(law.residual_angle + angle));

@@ -129,7 +129,7 @@ template <bool rigid> struct Pairs {
 };
 
 /// The deepest overlap and the strongest spring of each lane.
-struct Most {
+struct Maxima {
   Pack overlap = {}, spring = {};
   BLOCKS_INLINE void include(Pack depth, Pack force) {
     overlap = depth > overlap ? depth : overlap;

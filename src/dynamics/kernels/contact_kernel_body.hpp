@@ -11,7 +11,7 @@ namespace {
 template <bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
                            const Frame& at, Pack damping, const ContactLaw& law, int i,
-                           Sums& sums, Most& most, WorkSums<rigid>& works) {
+                           Sums& sums, Maxima& maxima, WorkSums<rigid>& works) {
   const ContactStates& row = batches.states[s];
   const Choice acts = choice_of(load(row.acts, i));
   const Bits starts = load(row.starts, i);
@@ -43,7 +43,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   store(advanced.normal_elastic, i, normal_elastic);
   store(advanced.shear_elastic, i, where(acts, state.shear));
   const Pack reached = where(acts, at.overlap);
-  most.include(reached, normal_elastic);
+  maxima.include(reached, normal_elastic);
 
   add_forces<rigid, readings>(batches, s, two, at, acts, force.normal, force.shear, i,
                               sums);
@@ -68,14 +68,14 @@ BLOCKS_INLINE bool is_unsettled(const BatchArrays& batches, int first, int last,
 /// depends on which others act, so no forces are computed after a row with laws that
 /// has yet to be settled.
 template <LawBits laws, bool find, bool rigid, bool readings>
-Most act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
+Maxima act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
                const ContactLaw& law, int i) {
   constexpr bool has_laws = laws != no_law, stresses = readings || !rigid;
   const BatchPairs& pairs = batches.pairs[batch];
   const Pairs<rigid> two(pairs, blocks, law.dt, i);
   const Pack damping = load(pairs.damping, i);
   Sums<stresses> sums;
-  Most most;
+  Maxima maxima;
   WorkSums<rigid> works(batches.has_account, pairs, blocks, i);
   // The frames of some rows are computed before the forces of these rows. Roots and
   // divisions have a long latency, and those of several rows overlap.
@@ -105,21 +105,21 @@ Most act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
       const Frame& frame = frames[s - first];
       if constexpr (has_laws)
         act_joint_row<laws, rigid, readings>(batches, batch, s, edges[s - first], frame,
-                                             blocks, two, damping, law, i, sums, most,
+                                             blocks, two, damping, law, i, sums, maxima,
                                              works);
       else
-        act_row<rigid, readings>(batches, s, two, frame, damping, law, i, sums, most,
+        act_row<rigid, readings>(batches, s, two, frame, damping, law, i, sums, maxima,
                                  works);
     }
   }
   store_sums(batches, batch, sums, i);
   if (batches.has_account)
     works.store_in(batches.works + batch * lane_count + i);
-  return most;
+  return maxima;
 }
 
 template <bool find, bool rigid, bool readings>
-Most act_any_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
+Maxima act_any_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
                    const ContactLaw& law, int i) {
   const BatchPairs& pairs = batches.pairs[batch];
   const auto act = [&]<LawBits laws>(std::integral_constant<LawBits, laws>)
@@ -130,26 +130,26 @@ Most act_any_batch(const BatchArrays& batches, int batch, const BlockState& bloc
     return act(std::integral_constant<LawBits, no_law>());
   if (!is_one_law(pairs.laws))
     return act(std::integral_constant<LawBits, all_laws>());
-  Most most;
-  each_law(pairs.laws, [&](auto one) { most = act(one); });
-  return most;
+  Maxima maxima;
+  each_law(pairs.laws, [&](auto one) { maxima = act(one); });
+  return maxima;
 }
 
 template <bool find, bool rigid, bool readings>
 Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
                      const ContactLaw& law, int first, int last) {
-  Most all;
+  Maxima all;
   for (int batch = first; batch < last; ++batch) {
     const BatchPairs& pairs = batches.pairs[batch];
     BatchMarks& marks = batches.marks[batch];
     if constexpr (find)
       marks = {};
     marks.breaks = false;
-    Most most;
+    Maxima maxima;
     for (int i = 0; i < lane_count; i += width) {
-      const Most part =
+      const Maxima part =
           act_any_batch<find, rigid, readings>(batches, batch, blocks, law, i);
-      most.include(part.overlap, part.spring);
+      maxima.include(part.overlap, part.spring);
     }
     if constexpr (find) {
       const int begin = pairs.first_row, end = begin + pairs.rows;
@@ -161,7 +161,7 @@ Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
       if (marks.unsettled)
         continue;
     }
-    all.include(most.overlap, most.spring);
+    all.include(maxima.overlap, maxima.spring);
   }
   Extremes extremes = {0.0, 0.0};
   for (int k = 0; k < width; ++k) {

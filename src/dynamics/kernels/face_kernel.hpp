@@ -18,7 +18,7 @@ struct alignas(64) PartPairs {
   PerLane<int> block[2];
   PerLane<double> corners[2];  ///< number of corners of each part
   PerLane<double> longest[2];  ///< [L] MotionBounds::longest of each block
-  int most = 0;                ///< number of corners of the largest part
+  int used_corners = 0;        ///< number of corners of the largest part
   bool rigid = true;
 };
 

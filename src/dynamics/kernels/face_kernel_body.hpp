@@ -8,7 +8,7 @@ namespace {
 /// Decides the pairs of one pack, which begins with lane i.
 BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& blocks,
                                  int i, FacingAnswers& answers) {
-  const int count = pairs.most;
+  const int count = pairs.used_corners;
   if (count < 3)
     __builtin_unreachable();
   const Pack strict = Pack{} + (pairs.rigid ? 1.0 : 0.25);

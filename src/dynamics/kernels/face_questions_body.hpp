@@ -97,14 +97,14 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
   to.corners = load(pairs.corners[part], i);
   const Point centroid = gather_point<2>(blocks.centroid, pairs.block[part] + i);
   to.x = centroid[0], to.y = centroid[1];
-  for (int k = 0; k < pairs.most; ++k) {
+  for (int k = 0; k < pairs.used_corners; ++k) {
     const Point at = gather_point<2>(blocks.corner, pairs.corner[part][k] + i);
     to.side[k].x = at[0], to.side[k].y = at[1];
   }
   to.shortest = Pack{} + never, to.longest = Pack{};
-  for (int k = 0; k < pairs.most; ++k) {
+  for (int k = 0; k < pairs.used_corners; ++k) {
     FacingSide& s = to.side[k];
-    const FacingSide& next = to.side[k + 1 < pairs.most ? k + 1 : 0];
+    const FacingSide& next = to.side[k + 1 < pairs.used_corners ? k + 1 : 0];
     const Pack x = next.x - s.x, y = next.y - s.y;
     s.length = root(x * x + y * y);
     const Mask is_side = static_cast<double>(k) < to.corners;

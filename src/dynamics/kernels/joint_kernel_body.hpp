@@ -182,7 +182,7 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
                                  const EdgeLine<Pack>& edge, const Frame& at,
                                  const BlockState& blocks, const Pairs<rigid>& two,
                                  Pack damping, const ContactLaw& usual, int i,
-                                 Sums& sums, Most& most, WorkSums<rigid>& works) {
+                                 Sums& sums, Maxima& maxima, WorkSums<rigid>& works) {
   const BatchPairs& pairs = batches.pairs[batch];
   const Bits acting = load(batches.states[s].acts, i);
   const Choice acts = choice_of(acting);
@@ -231,7 +231,7 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
   // press in a contact of STIFF as far. FN / k would say too much: a contact that
   // received a spring has more force than its overlap.
   const Pack overlap = where(acts, at.overlap);
-  most.include(overlap, overlap * usual.normal_stiffness);
+  maxima.include(overlap, overlap * usual.normal_stiffness);
   add_forces<rigid, readings>(batches, s, two, at, acts, force.normal, force.shear, i,
                               sums);
 }

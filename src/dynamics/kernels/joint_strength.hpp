@@ -93,8 +93,8 @@ limit_shear(const Number& trial, const Number& limit, const Number& dashpot,
 template <class Number>
 [[gnu::always_inline]] inline void release(const LawValues<Number>& law,
                                            ContactState<Number>& state) {
-  const Number none = Number{}, most = -(law.residual_tension * state.length);
-  const Number held = state.normal > most ? state.normal : most;
+  const Number none = Number{}, min_normal = -(law.residual_tension * state.length);
+  const Number held = state.normal > min_normal ? state.normal : min_normal;
   const Number bonded = law.residual_tension > 0.0 ? state.bonded : none;
   state.normal = state.failed > 0.0 ? held : state.normal;
   state.bonded = state.failed > 0.0 ? bonded : state.bonded;
@@ -134,8 +134,8 @@ apply_strength(const LawValues<Number>& law, double dt, const Number& share,
                ContactForce<Number>& force) {
   const Number whole = Number{} + 1.0;
   const Number tension = state.failed > 0.0 ? law.residual_tension : law.tension;
-  const Number least = -(tension * state.length);
-  state.failed = state.normal < least ? whole : state.failed;
+  const Number min_normal = -(tension * state.length);
+  state.failed = state.normal < min_normal ? whole : state.failed;
 
   const Number trial = trial_shear(dt, share, motion, state);
   const Number dashpot = motion.damping * motion.sliding;

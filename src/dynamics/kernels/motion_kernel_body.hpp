@@ -101,12 +101,12 @@ struct MovedLanes {
 /// within `reach` of its centroid is not inside.
 BLOCKS_INLINE std::uint64_t near_edge(Mask moves, const Points& centroid, Pack reach,
                                       const Rectangle& domain) {
-  const Points least = centroid - twice(reach), most = centroid + twice(reach);
+  const Points lowest = centroid - twice(reach), highest = centroid + twice(reach);
   const Points lower = everywhere(domain.lower_x, domain.lower_y);
   const Points upper = everywhere(domain.upper_x, domain.upper_y);
   Mask inside[2];
   for (int i = 0; i < 2; ++i)
-    inside[i] = (least.part[i] >= lower.part[i]) & (most.part[i] <= upper.part[i]);
+    inside[i] = (lowest.part[i] >= lower.part[i]) & (highest.part[i] <= upper.part[i]);
   if (!any(~(inside[0] & inside[1])))
     return 0;
   const Mask outside = moves & ~(even(inside[0], inside[1], EachLane()) &

@@ -18,13 +18,13 @@ template <bool may_start = true, class Number>
                                                 ContactForce<Number>& force) {
   const Closing<Number> closing = closing_of<may_start>(dt, motion, state);
   const Number loading = state.stiffness, unloading = loading * law.unloading_ratio;
-  const Number most = loading * closing.room;
+  const Number max_spring = loading * closing.room;
   if constexpr (may_start) {
     // A received spring lies on or below the line of first loading.
-    const Number capped = state.normal < most ? state.normal : most;
+    const Number capped = state.normal < max_spring ? state.normal : max_spring;
     const Number normal = closing.begins > 0.0 ? capped : state.normal;
-    const Number least = normal / loading;
-    const Number closure = state.closure > least ? state.closure : least;
+    const Number min_closure = normal / loading;
+    const Number closure = state.closure > min_closure ? state.closure : min_closure;
     state.normal = normal;
     state.closure = motion.starting > 0.0 ? closure : state.closure;
   }
@@ -37,7 +37,7 @@ template <bool may_start = true, class Number>
   const Number first = loading * state.closure;
   Number spring = elastic < first ? elastic : first;
   if constexpr (may_start) {
-    const Number capped = spring < most ? spring : most;
+    const Number capped = spring < max_spring ? spring : max_spring;
     spring = closing.begins > 0.0 ? capped : spring;
   }
   const Number plastic = state.closure - spring / unloading;

@@ -25,19 +25,19 @@ class KeptDepths {
   }
   /// The two parts are not apart: keeps the depth of the least axis. If another axis is
   /// within the slack as well, which of the two is the least one depends on both.
-  void keep_least(const Axis& least, const std::vector<Axis>& others) {
-    const geometry::filter::Estimate& depth = shape_.depth(least);
-    const double eps = slack(least), zero = sign_per_slack * eps;
-    if (shape_.depth_sign(least.side, least.corner.index) <= 0)
-      return add(least, -(1.0 + share) * eps, 2.0 * depth.bound);
+  void keep_least(const Axis& axis, const std::vector<Axis>& others) {
+    const geometry::filter::Estimate& depth = shape_.depth(axis);
+    const double eps = slack(axis), zero = sign_per_slack * eps;
+    if (shape_.depth_sign(axis.side, axis.corner.index) <= 0)
+      return add(axis, -(1.0 + share) * eps, 2.0 * depth.bound);
     if (depth.value > eps)
-      return add(least, (1.0 - share) * depth.value, (1.0 + share) * depth.value);
+      return add(axis, (1.0 - share) * depth.value, (1.0 + share) * depth.value);
     const Axis& next = *std::min_element(
         others.begin(), others.end(), [&](const Axis& a, const Axis& b) {
           return shape_.depth(a).value < shape_.depth(b).value;
         });
     const double next_depth = shape_.depth(next).value;
-    add(least, depth.value > zero ? depth.value / factor : -zero,
+    add(axis, depth.value > zero ? depth.value / factor : -zero,
         std::min(factor * depth.value, (1.0 + share) * std::min(next_depth, eps)) +
             zero);
     if (next_depth < eps)

@@ -54,10 +54,10 @@ class PairRule {
       return Search::apart;
     }
     take_outlines();
-    axis_ = least_ = shape_.take_least(scratch_.axes);
-    depths_.keep_least(least_, scratch_.axes);
-    facing_ = shape_.find_facing(least_);
-    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0)
+    axis_ = least_axis_ = shape_.take_least(scratch_.axes);
+    depths_.keep_least(least_axis_, scratch_.axes);
+    facing_ = shape_.find_facing(least_axis_);
+    if (shape_.depth_sign(least_axis_.side, least_axis_.corner.index) <= 0)
       return Search::axis;
     for (;; axis_ = shape_.take_least(scratch_.axes)) {
       facing_ = facing_of(axis_);
@@ -67,8 +67,8 @@ class PairRule {
       if (scratch_.axes.empty())
         break;
     }
-    axis_ = least_;
-    facing_ = shape_.find_facing(least_);
+    axis_ = least_axis_;
+    facing_ = shape_.find_facing(least_axis_);
     return Search::no_axis;
   }
   /// Returns whether a pair may be left to a third part: no axis is left, or the acting
@@ -77,26 +77,28 @@ class PairRule {
   bool is_doubtful(Search search) {
     if (search != Search::axis)
       return search == Search::no_axis;
-    if (axis_ == least_)
+    if (axis_ == least_axis_)
       return false;
-    const Segment& e = shape_.at(least_.side);
-    return geometry::near_or_inside(shape_.at(least_.corner).start, e.end, e.start);
+    const Segment& e = shape_.at(least_axis_.side);
+    return geometry::near_or_inside(shape_.at(least_axis_.corner).start, e.end,
+                                    e.start);
   }
   /// Returns whether a third part carries one of the two: it hides the least axis,
   /// overlaps that part at least half as deep as the two overlap each other, has a
   /// contact with it, and forms a doubtful pair with neither of the two.
   bool is_carried() {
-    const Segment& e = shape_.at(least_.side);
-    const Vec2& c = shape_.at(least_.corner).start;
-    const geometry::PolygonAxis least = as_polygons(least_, shape_.find_facing(least_));
+    const Segment& e = shape_.at(least_axis_.side);
+    const Vec2& c = shape_.at(least_axis_.corner).start;
+    const geometry::PolygonAxis polygons =
+        as_polygons(least_axis_, shape_.find_facing(least_axis_));
     bool found = false;
     for (const int k : {0, 1}) {
-      const auto which =
-          k == least_.side.part ? geometry::Continues::own : geometry::Continues::other;
+      const auto which = k == least_axis_.side.part ? geometry::Continues::own
+                                                    : geometry::Continues::other;
       thirds(k).each([&](int part, const geometry::Polygon& third) {
         found = found || (!geometry::exceeds_separating_shift(
                               c, e.start, e.end, scratch_.outline[1 - k], third) &&
-                          geometry::is_hidden_by(least, third, which) &&
+                          geometry::is_hidden_by(polygons, third, which) &&
                           has_contact(part, shape_.part(1 - k)) &&
                           !is_doubtful(part, shape_.part(k)));
       });
@@ -149,7 +151,7 @@ class PairRule {
   /// to cross the other part.
   std::optional<PairSide> facing_of(const Axis& axis) {
     const std::optional<PairSide> facing = shape_.find_facing(axis);
-    return facing && (axis == least_ || crosses(*facing)) ? facing : std::nullopt;
+    return facing && (axis == least_axis_ || crosses(*facing)) ? facing : std::nullopt;
   }
   bool crosses(const PairSide& side) const {
     return geometry::crosses(scratch_.outline[side.part], side.index,
@@ -158,7 +160,7 @@ class PairRule {
 
   /// Returns whether the axis is far: its corner, or both ends of its facing side.
   bool is_far(const Axis& axis, const std::optional<PairSide>& facing) {
-    if (axis == least_)
+    if (axis == least_axis_)
       return false;
     if (!facing)
       return is_far(axis.corner, axis.side);
@@ -167,9 +169,10 @@ class PairRule {
   /// Returns whether a corner is far below a side.
   bool is_far(const PairSide& corner, const PairSide& side) {
     const geometry::filter::Estimate &depth = shape_.depth(side, corner.index),
-                                     &least = shape_.depth(least_);
-    if (!with_.far_axes || depth.value + depth.bound <=
-                               geometry::deepest_share * (least.value - least.bound))
+                                     &least_depth = shape_.depth(least_axis_);
+    if (!with_.far_axes ||
+        depth.value + depth.bound <=
+            geometry::deepest_share * (least_depth.value - least_depth.bound))
       return false;
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
@@ -217,7 +220,8 @@ class PairRule {
         axis, with_.faces ? facing : std::nullopt,
         [&](const PairSide& corner, const PairSide& side) {
           const PairSide below = find_side_below(corner, side);
-          if (shape_.at(below).is_inner || (axis != least_ && is_far(corner, below)))
+          if (shape_.at(below).is_inner ||
+              (axis != least_axis_ && is_far(corner, below)))
             return;
           const CornerOnEdge contact{shape_.at(corner).corner, shape_.at(below).corner};
           PairScratch::add(scratch_.candidates, contact);
@@ -253,13 +257,13 @@ class PairRule {
   /// beyond it: a third part rises there, or is beyond a joint.
   bool has_no_end(const PairSide& corner, const PairSide& side) {
     const geometry::PolygonAxis polygons = as_polygons({side, corner}, {}),
-                                least = as_polygons(least_, {});
+                                least_axis = as_polygons(least_axis_, {});
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
     return with_.third_parts &&
            thirds(side.part).any([&](const geometry::Polygon& third) {
              return geometry::is_in_notch_of(polygons, third) ||
-                    geometry::is_at_joint_with(c, e.start, e.end, least, third);
+                    geometry::is_at_joint_with(c, e.start, e.end, least_axis, third);
            });
   }
 
@@ -270,7 +274,7 @@ class PairRule {
   PairScratch& scratch_;
   PairShape shape_{scratch_.shape};
   KeptDepths depths_{shape_, parts_, scratch_.depths};
-  Axis least_, axis_;               ///< the least axis and the acting one
+  Axis least_axis_, axis_;          ///< the least axis and the acting one
   std::optional<PairSide> facing_;  ///< the facing side of the acting axis
   bool has_thirds_[2] = {};
 };
