@@ -86,7 +86,7 @@ struct Estimate {
 
 // The smaller of a and b. A NaN may be dropped, but then the bound is NaN or infinite
 // as well.
-inline double least(double a, double b) { return b < a ? b : a; }
+inline double min(double a, double b) { return b < a ? b : a; }
 
 inline double unless(bool safe, double bound) {
   return safe ? bound : std::numeric_limits<double>::infinity();
@@ -142,7 +142,7 @@ inline Estimate between(const Vec2& c, const Vec2& p1, const Vec2& p2,
   const Dot along = dot(c, p1, p2);
   const double length2 = squared_length(p1, p2);
   const double slack = part * length2;
-  return {least(along.value() + slack, (length2 - along.value()) + slack),
+  return {min(along.value() + slack, (length2 - along.value()) + slack),
           u8 * (along.magnitude() + length2) + underflow};
 }
 
@@ -156,7 +156,7 @@ inline Estimate faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
   const double t2 = squared_length(c, neighbour);
   const double q = e2 * t2;
   return {sine * std::abs(sine) + facing_sine_squared * q,
-          unless(least(e2, t2) > 0x1p-480, u16 * q)};
+          unless(min(e2, t2) > 0x1p-480, u16 * q)};
 }
 
 inline Estimate turn(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
@@ -174,7 +174,7 @@ inline Estimate edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1,
   const double e2 = ex * ex + ey * ey, f2 = fx * fx + fy * fy;
   const double q = e2 * f2;
   return {-d * std::abs(d) - facing_cosine_squared * q,
-          unless(least(e2, f2) > 0x1p-480, u24 * q)};
+          unless(min(e2, f2) > 0x1p-480, u24 * q)};
 }
 
 /// Returns 1 / |p2 - p1| for `depth`, or infinity if products of such lengths leave the
@@ -204,7 +204,7 @@ inline Estimate slope_difference(const Vec2& p1, const Vec2& p2, const Vec2& q1,
   const double r_length2 = squared_length(r1, r2);
   const double q_length = std::sqrt(q_length2), r_length = std::sqrt(r_length2);
   return {std::abs(a.value()) * r_length - std::abs(b.value()) * q_length,
-          unless(least(q_length2, r_length2) > 0x1p-900,
+          unless(min(q_length2, r_length2) > 0x1p-900,
                  u16 * ((a.magnitude() + underflow) * r_length +
                         (b.magnitude() + underflow) * q_length) +
                      underflow)};
@@ -219,7 +219,7 @@ inline Estimate depth_difference(const Vec2& c, const Vec2& p1, const Vec2& p2,
   const double p_length = std::sqrt(p_length2);
   const double q_length = std::sqrt(q_length2);
   return {a.value() * q_length - b.value() * p_length,
-          unless(least(p_length2, q_length2) > 0x1p-900,
+          unless(min(p_length2, q_length2) > 0x1p-900,
                  u16 * ((a.magnitude() + underflow) * q_length +
                         (b.magnitude() + underflow) * p_length) +
                      underflow)};

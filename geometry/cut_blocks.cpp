@@ -16,8 +16,8 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // A vertex moves by at most this many units in the last place of the largest coordinate
 // at a time, as corners of layers do.
-constexpr double most_units = 64.0;
-constexpr int most_rounds = 64;
+constexpr double max_units = 64.0;
+constexpr int max_rounds = 64;
 
 class BlockMaker {
  public:
@@ -31,7 +31,7 @@ class BlockMaker {
   }
   void move_out() {
     bool moving = true;
-    for (int round = 0; round < most_rounds && moving; ++round) {
+    for (int round = 0; round < max_rounds && moving; ++round) {
       moving = false;
       for_each_intruder([&](std::size_t, std::size_t, int v, const Vec2& a,
                             const Vec2& b) { moving = leave(v, a, b) || moving; });
@@ -137,7 +137,7 @@ class BlockMaker {
     for (const int axis : {kept, steeper}) {
       double step =
           std::nextafter(largest, std::numeric_limits<double>::max()) - largest;
-      for (; step <= most_units * 0x1p-52 * largest && out[axis] != 0.0; step *= 2.0) {
+      for (; step <= max_units * 0x1p-52 * largest && out[axis] != 0.0; step *= 2.0) {
         Vec2 to = from;
         to[axis] += std::copysign(step, out[axis]);
         if (is_inside(a, b, to))

@@ -17,7 +17,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Points on slanted sides are rounded into the domain by about one unit. The largest
 // distance is that of layers, so that both may share a side.
-constexpr double most_units_inside = 64.0;
+constexpr double max_units_inside = 64.0;
 
 // A side of the requested outline.
 struct RequestedSide {
@@ -44,7 +44,7 @@ std::vector<RequestedSide> requested_sides(const CutRequest& request,
     const Vec2 &from = corners[i], &to = corners[j];
     sides.push_back({from, to, exactly[i].y() == exactly[j].y() && from.y() == to.y(),
                      exactly[i].x() == exactly[j].x() && from.x() == to.x(),
-                     most_units_inside * unit + std::max(moved(i), moved(j))});
+                     max_units_inside * unit + std::max(moved(i), moved(j))});
   }
   return sides;
 }

@@ -45,15 +45,15 @@ struct Window {
   }
   // Range of (p - start) . direction for p in the window, extended by round-off.
   std::pair<double, double> range(const Vec2& start, const Vec2& direction) const {
-    double least = 0.0, most = 0.0;
+    double min = 0.0, max = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
       const double a = (low[axis] - start[axis]) * direction[axis];
       const double b = (high[axis] - start[axis]) * direction[axis];
-      least += std::min(a, b);
-      most += std::max(a, b);
+      min += std::min(a, b);
+      max += std::max(a, b);
     }
-    const double slack = 0x1p-40 * std::max(std::abs(least), std::abs(most));
-    return {least - slack, most + slack};
+    const double slack = 0x1p-40 * std::max(std::abs(min), std::abs(max));
+    return {min - slack, max + slack};
   }
   double radius() const { return (high - low).norm() / 2.0; }
   Vec2 centre() const { return (low + high) / 2.0; }
@@ -152,8 +152,8 @@ class Generator {
     if (set_.dip.deviation.value() > 0.0) {
       if (through_going()) {
         const double far = (window_.centre() - near_).norm() + window_.radius();
-        low -= most_tilt() * far;
-        high += most_tilt() * far;
+        low -= max_tilt() * far;
+        high += max_tilt() * far;
       } else {
         const double half =
             (set_.trace.mean.value() + set_.trace.deviation.value()) / 2.0;
@@ -165,7 +165,7 @@ class Generator {
   }
   // Bounds the tangent of the deviation. More tracks cost time, but never change a
   // piece.
-  double most_tilt() const {
+  double max_tilt() const {
     constexpr double degree = 3.14159265358979323846 / 180.0;
     return 1.01 * std::tan(set_.dip.deviation.value() * degree);
   }

@@ -116,11 +116,11 @@ CGAL::Gmpz whole(const Rational& value) {
 
 void check_aspect(int count, const Rational& length_to_height) {
   const Rational n(count);
-  const Rational low = exact::least_width_to_height();
+  const Rational low = exact::min_width_to_height();
   const Rational high = exact::greatest_width_to_height();
   if (n * low <= length_to_height && length_to_height <= n * high)
     return;
-  const CGAL::Gmpz most = whole(length_to_height / low);
+  const CGAL::Gmpz max = whole(length_to_height / low);
   CGAL::Gmpz fewest = whole(length_to_height / high);
   if (Rational(fewest) * high < length_to_height)
     fewest += 1;
@@ -136,8 +136,8 @@ void check_aspect(int count, const Rational& length_to_height) {
       LayerError::Kind::aspect,
       "no random widths with 0.2 <= width/height <= 3.0 fit " + blocks +
           " into this layer",
-      fewest <= most
-          ? "from " + text(fewest) + " to " + text(most) + " blocks are possible"
+      fewest <= max
+          ? "from " + text(fewest) + " to " + text(max) + " blocks are possible"
           : "the layer is too short for its height: no number of blocks is possible");
 }
 

@@ -35,11 +35,11 @@ double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& l
   StepProgress estimating(progress, "estimate crossings");
   // A pair takes some nanoseconds, so all take a tenth of a second. Fewer segments than
   // the least number would say little about the others.
-  constexpr std::size_t most_pairs = 10'000'000, least = 64;
+  constexpr std::size_t max_pairs = 10'000'000, min = 64;
   const std::size_t n = segments.size();
   if (n < 2)
     return 0.0;
-  const std::size_t asked = std::min(std::max(most_pairs / n, least), n);
+  const std::size_t asked = std::min(std::max(max_pairs / n, min), n);
   std::vector<JointSegment> some;
   std::uint64_t state = 1;
   for (std::size_t i = 0; i < asked; ++i) {

@@ -64,23 +64,23 @@ bool interiors_meet(const Polygon& p, const Polygon& q) {
 }
 
 // Returns the least distance by which q reaches behind an edge of p.
-double least_reach(const Polygon& p, const Polygon& q) {
-  double least = std::numeric_limits<double>::infinity();
+double min_reach(const Polygon& p, const Polygon& q) {
+  double min = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2& a = p[i];
     const Vec2 edge = (p[(i + 1) % p.size()] - a).normalized();
     double reach = 0.0;
     for (const Vec2& corner : q)
       reach = std::max(reach, -cross(edge, corner - a));
-    least = std::min(least, reach);
+    min = std::min(min, reach);
   }
-  return least;
+  return min;
 }
 
 // The shortest translation that separates two convex outlines is along the normal of
 // one of their edges.
 double separating_shift(const Polygon& p, const Polygon& q) {
-  return std::min(least_reach(p, q), least_reach(q, p));
+  return std::min(min_reach(p, q), min_reach(q, p));
 }
 
 // Returns the convex parts of the outline as polygons.
@@ -224,13 +224,13 @@ std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines
   };
   // Progress is shown by the usual number of close pairs for each block.
   std::size_t pairs = 0;
-  const std::size_t most = 5 * outlines.size();
+  const std::size_t max = 5 * outlines.size();
   try {
     exact::for_each_close_pair(
         outlines, {},
         [&](std::size_t first, std::size_t second) {
           if (progress)
-            progress->count(++pairs, most);
+            progress->count(++pairs, max);
           if (one_tiling(first, second))
             return;
           blocks.compare(first, second, found);

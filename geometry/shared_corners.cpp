@@ -66,7 +66,7 @@ bool touches(const exact::Point& corner, const exact::Point& a, const exact::Poi
 
 // A corner moves by at most this many units in the last place of the largest coordinate
 // at a time.
-constexpr double most_units = 64.0;
+constexpr double max_units = 64.0;
 
 // Moves the corners of all touches out of the sides that they touch.
 class Mover {
@@ -127,7 +127,7 @@ class Mover {
           std::max(a.lpNorm<Eigen::Infinity>(), from.lpNorm<Eigen::Infinity>());
       double step =
           std::nextafter(largest, std::numeric_limits<double>::max()) - largest;
-      for (; step <= most_units * 0x1p-52 * largest && out[axis] != 0.0; step *= 2.0) {
+      for (; step <= max_units * 0x1p-52 * largest && out[axis] != 0.0; step *= 2.0) {
         Vec2 to = from;
         to[axis] += std::copysign(step, out[axis]);
         if (inside(to))

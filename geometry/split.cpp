@@ -195,15 +195,15 @@ Fraction exact_area(const Polygon& outline) {
 }
 
 // Rounding keeps the order, so that different doubles decide.
-bool is_less(const Fraction& area, double rounded, double least_area) {
-  if (rounded != least_area || !std::isfinite(least_area))
-    return rounded < least_area;
-  return area < Fraction(Rational(least_area));
+bool is_less(const Fraction& area, double rounded, double min_area) {
+  if (rounded != min_area || !std::isfinite(min_area))
+    return rounded < min_area;
+  return area < Fraction(Rational(min_area));
 }
 
 }  // namespace
 
-Split split_outline(const Polygon& outline, const SplitLine& line, double least_area) {
+Split split_outline(const Polygon& outline, const SplitLine& line, double min_area) {
   const RoundToNearest mode;
   Split split;
   split.fault = SplitFault::no_chord;
@@ -247,7 +247,7 @@ Split split_outline(const Polygon& outline, const SplitLine& line, double least_
     }
     const Fraction area = exact_area(piece.outline);
     piece.area = exact::rounded_towards(area, 0);
-    if (is_less(area, piece.area, least_area))
+    if (is_less(area, piece.area, min_area))
       split.fault = SplitFault::small;
   }
   return split;

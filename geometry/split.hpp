@@ -68,11 +68,11 @@ struct Split {
 /// towards the inside, on a side along an axis to the nearest double. If the rounded
 /// place is a corner, the crossing has moved to this corner.
 ///
-/// Refuses pieces whose exact area is less than least_area [L^2]; `unsound` takes
+/// Refuses pieces whose exact area is less than min_area [L^2]; `unsound` takes
 /// precedence over `small`. Guarantee: with fault `none`, both pieces are simple,
-/// clockwise and at least least_area large, they have the chord in common in opposite
+/// clockwise and at least min_area large, they have the chord in common in opposite
 /// directions, and together they have the sides of the old outline, with the new
 /// corners on them. Throws nothing but std::bad_alloc.
-Split split_outline(const Polygon& outline, const SplitLine& line, double least_area);
+Split split_outline(const Polygon& outline, const SplitLine& line, double min_area);
 
 }  // namespace blocks::geometry

@@ -50,11 +50,11 @@ std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& ou
     high = high.cwiseMax(corner);
   }
   // A point outside of the outline is drawn again, at most so many times.
-  constexpr std::uint32_t most_draws = 100'000;
+  constexpr std::uint32_t max_draws = 100'000;
   std::vector<Vec2> points;
   for (int i = 0; i < request.count; ++i)
     for (std::uint32_t draw = 0;; ++draw) {
-      if (draw == most_draws)
+      if (draw == max_draws)
         refuse("no random points are in the outline", outline[0],
                "give points, or an outline that fills more of its bounding box");
       progress.count(points.size(), static_cast<std::size_t>(request.count));
@@ -252,11 +252,11 @@ class Cells {
   Point far_from(const Point& p, const Vector& direction) const {
     const Vec2 d(exact::nearest(direction.x()), exact::nearest(direction.y()));
     const double reach = (exact::nearest(p) - middle_).norm() + 2.0 * radius_;
-    constexpr double least = 0x1p-500;  // squares of lesser lengths are no doubles
+    constexpr double min = 0x1p-500;  // squares of lesser lengths are no doubles
     const Rational factor =
-        d.norm() > least ? Rational(std::exp2(std::ceil(std::log2(reach / d.norm()))))
-                         : Rational(reach) / std::max<Rational>(abs(direction.x()),
-                                                                abs(direction.y()));
+        d.norm() > min ? Rational(std::exp2(std::ceil(std::log2(reach / d.norm()))))
+                       : Rational(reach) /
+                             std::max<Rational>(abs(direction.x()), abs(direction.y()));
     return {p.x() + direction.y() * factor, p.y() - direction.x() * factor};
   }
   void add(const Vec2& from, const Vec2& to, std::vector<JointSegment>& result) const {

@@ -39,9 +39,9 @@ inline Box box_of(const Polygon& outline, std::size_t number, double reach = 0.0
 /// each other, so they stay in the caches.
 class PairBatch {
  public:
-  static constexpr std::size_t most = 1U << 24;  ///< 130 MB
+  static constexpr std::size_t max = 1U << 24;  ///< 130 MB
 
-  bool is_full() const { return pairs_.size() == most; }
+  bool is_full() const { return pairs_.size() == max; }
   void add(std::size_t i, std::size_t j) {
     pairs_.emplace_back(static_cast<std::uint32_t>(std::min(i, j)),
                         static_cast<std::uint32_t>(std::max(i, j)));

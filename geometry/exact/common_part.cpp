@@ -39,17 +39,17 @@ Outline clipped(const Outline& p, Outline rest) {
 }
 
 /// Returns the least distance by which q reaches behind an edge of p.
-double least_reach(const Polygon& p, const Outline& exact_p, const Outline& q) {
-  double least = std::numeric_limits<double>::infinity();
+double min_reach(const Polygon& p, const Outline& exact_p, const Outline& q) {
+  double min = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < p.size(); ++i) {
     const std::size_t next = (i + 1) % p.size();
     const Vector edge = exact_p[next] - exact_p[i];
     Rational reach = 0;
     for (const Point& corner : q)
       reach = std::max(reach, cross(corner - exact_p[i], edge));
-    least = std::min(least, nearest(reach) / Vec2(p[next] - p[i]).stableNorm());
+    min = std::min(min, nearest(reach) / Vec2(p[next] - p[i]).stableNorm());
   }
-  return least;
+  return min;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ CommonPart common_part(const Polygon& p, const Polygon& q) {
   }
   const Point centroid = common[0] + moment / (3 * twice);
   return {nearest(twice / 2), Vec2(nearest(centroid.x()), nearest(centroid.y())),
-          std::min(least_reach(p, a, b), least_reach(q, b, a))};
+          std::min(min_reach(p, a, b), min_reach(q, b, a))};
 }
 
 }  // namespace blocks::geometry::exact

@@ -20,8 +20,8 @@ namespace blocks::geometry::continuation {
 
 using CGAL::square;
 using sides::Interval;
-using sides::least;
-using sides::most;
+using sides::max;
+using sides::min;
 using sides::Rational;
 
 /// A vector, or a point as the vector from the origin of coordinates.
@@ -82,7 +82,7 @@ void each_axis(Outline moving, Outline resting, const Visit& visit) {
       const Side<Number> side(own, i);
       Number deepest = side.area(Arrow<Number>(other.front()));
       for (const Vec2& corner : other.subspan(1))
-        deepest = most(deepest, side.area(Arrow<Number>(corner)));
+        deepest = max(deepest, side.area(Arrow<Number>(corner)));
       visit(deepest, side, sign);
     }
   };
@@ -95,9 +95,9 @@ void each_axis(Outline moving, Outline resting, const Visit& visit) {
 template <class Number> Number separating_shift2(Outline one, Outline other) {
   std::optional<Number> found;
   each_axis<Number>(one, other, [&](const Number& area, const Side<Number>& side, int) {
-    const Number inside = most(Number(0), area);
+    const Number inside = max(Number(0), area);
     const Number shift2 = square(inside) / side.length2();
-    found = found ? least(*found, shift2) : shift2;
+    found = found ? min(*found, shift2) : shift2;
   });
   return *found;
 }
@@ -115,10 +115,10 @@ template <class Number> class Range {
   }
   const Number& from() const { return *from_; }
   const Number& to() const { return *to_; }
-  void raise(const Number& limit) { from_ = from_ ? most(*from_, limit) : limit; }
+  void raise(const Number& limit) { from_ = from_ ? max(*from_, limit) : limit; }
 
  private:
-  void lower(const Number& limit) { to_ = to_ ? least(*to_, limit) : limit; }
+  void lower(const Number& limit) { to_ = to_ ? min(*to_, limit) : limit; }
   /// The sign of the gain is not known, as for parallel lines, or the gain is 0.
   void cut_by_either(const Number& value, const Number& gain) {
     if constexpr (std::is_same_v<Number, Interval>) {
@@ -159,9 +159,9 @@ template <class Number> class AxisQuestion {
     if (!slide || !is_local(third, which, shift2))
       return false;
     const Number forward = slide->to(), backward = -slide->from();
-    const Number most_way = Number(longest_way) * least(forward, backward);
-    return (forward > most_way || Number(1) - low_ - forward < forward) &&
-           (backward > most_way || high_ - backward < backward);
+    const Number max_way = Number(longest_way) * min(forward, backward);
+    return (forward > max_way || Number(1) - low_ - forward < forward) &&
+           (backward > max_way || high_ - backward < backward);
   }
   bool is_in_notch_of(Outline third) const {
     const Number before = -low_, after = low_ - Number(1);
@@ -190,8 +190,8 @@ template <class Number> class AxisQuestion {
     const Number sign(which == Continues::own ? 1 : -1);
     const Number depth = area_ / length2_;  // in lengths of the side
     const Arrow<Number> out = (sign * depth) * e_.along.left(), way = sign * e_.along;
-    const Number enough2 = most(square(Number(remaining_share) * area_),
-                                square(Number(remaining_overlap)) * shift2 * length2_);
+    const Number enough2 = max(square(Number(remaining_share) * area_),
+                               square(Number(remaining_overlap)) * shift2 * length2_);
     Range<Number> range;
     bool overlap = true;
     each_axis<Number>(moving(which), third,
@@ -211,15 +211,15 @@ template <class Number> class AxisQuestion {
   bool is_local(Outline third, Continues which, const Number& shift2) const {
     const Number depth2 = square(area_) / length2_;
     const Number width2 =
-        least(square(Number(joint_width)) * most(depth2, shift2),
-              square(Number(widest_joint)) *
-                  least(longest_side2(axis_.own), longest_side2(axis_.other)));
+        min(square(Number(joint_width)) * max(depth2, shift2),
+            square(Number(widest_joint)) *
+                min(longest_side2(axis_.own), longest_side2(axis_.other)));
     if (which == Continues::other && axis_.facing < 0)
       return is_within(corner_, third, width2);
     // The middle of what the two faces have in common, or the foot of the corner.
     const Number zero(0), one(1);
     const Number at =
-        (most(zero, least(one, low_)) + most(zero, least(one, high_))) / Number(2);
+        (max(zero, min(one, low_)) + max(zero, min(one, high_))) / Number(2);
     const Arrow<Number> middle = e_.at(at);
     if (which == Continues::own)
       return is_beyond(middle, e_.along.left(), third, width2);
@@ -233,7 +233,7 @@ template <class Number> class AxisQuestion {
     bool is_inside = true;
     for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
       const Side<Number> side(polygon, i);
-      const Number foot = most(Number(0), least(Number(1), side.foot(point)));
+      const Number foot = max(Number(0), min(Number(1), side.foot(point)));
       const Arrow<Number> apart = point - side.at(foot);
       if (dot(apart, apart) <= distance2)
         return true;
@@ -245,7 +245,7 @@ template <class Number> class AxisQuestion {
   static Number longest_side2(Outline polygon) {
     Number found(0);
     for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
-      found = most(found, Side<Number>(polygon, i).length2());
+      found = max(found, Side<Number>(polygon, i).length2());
     return found;
   }
   /// Returns whether a ray meets a polygon within a distance, given by its square.
@@ -278,7 +278,7 @@ template <class Number> class AxisQuestion {
     }
     return true;
   }
-  Number depth2() const { return square(most(Number(0), area_)) / length2_; }
+  Number depth2() const { return square(max(Number(0), area_)) / length2_; }
 
  private:
   const PolygonAxis& axis_;
@@ -304,8 +304,9 @@ bool is_at_joint(const Vec2& c, const Vec2& p1, const Vec2& p2,
   bool is_outside = false;
   for (int i = 0; i < static_cast<int>(third.size()) && !is_outside; ++i)
     is_outside = excludes_corner(i);
-  return is_outside && AxisQuestion<Number>::is_near(
-                           e.at(foot), third, AxisQuestion<Number>(least_axis).depth2());
+  return is_outside &&
+         AxisQuestion<Number>::is_near(e.at(foot), third,
+                                       AxisQuestion<Number>(least_axis).depth2());
 }
 
 /// Returns the square of the diameter of the common region of two polygons, 0 if there
@@ -327,7 +328,7 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t k = i + 1; k < vertices.size(); ++k) {
       const Arrow<Number> apart = vertices[k] - vertices[i];
-      found = most(found, dot(apart, apart));
+      found = max(found, dot(apart, apart));
     }
   return found;
 }

@@ -6,7 +6,7 @@ namespace blocks::geometry::exact {
 namespace {
 
 // Products above this are not affected by underflow, see certain_side.
-constexpr double least_product = 1e-270;
+constexpr double min_product = 1e-270;
 
 // The sides of the line on which the corners lie, and their places along the line.
 class LineAndCorners {
@@ -58,7 +58,7 @@ class LineAndCorners {
     const double b = line_.along.y() * (corner.x() - line_.point.x());
     const double sum = std::abs(a) + std::abs(b);
     const double left = a - b;
-    if (!(sum > least_product) || !(std::abs(left) > 0x1p-51 * sum) ||
+    if (!(sum > min_product) || !(std::abs(left) > 0x1p-51 * sum) ||
         !std::isfinite(sum))
       return 0;
     return left > 0.0 ? 1 : -1;
@@ -110,7 +110,7 @@ nearest_chord(const std::vector<LineMeet>& meets) {
   // Between two meets the line is inside the outline if lines infinitesimally beside it
   // are inside on its left and on its right. If only one is, the line follows a side.
   std::optional<std::size_t> best;
-  Fraction least;
+  Fraction min;
   bool left = false, right = false;
   for (std::size_t k = 0; k + 1 < meets.size(); ++k) {
     left ^= meets[k].left;
@@ -123,9 +123,9 @@ nearest_chord(const std::vector<LineMeet>& meets) {
       distance = first;
     else if (last.num < 0)
       distance = {-last.num, last.den};
-    if (!best || distance < least) {
+    if (!best || distance < min) {
       best = k;
-      least = distance;
+      min = distance;
     }
   }
   if (!best)

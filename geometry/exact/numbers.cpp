@@ -21,7 +21,7 @@ struct Scratch {
 };
 
 constexpr int digits = std::numeric_limits<double>::digits;  // 53
-constexpr long least_exponent = std::numeric_limits<double>::min_exponent - digits;
+constexpr long min_exponent = std::numeric_limits<double>::min_exponent - digits;
 
 // MPFR caches pi and other numbers for each thread. This frees them when the thread
 // ends.
@@ -95,7 +95,7 @@ double rounded_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
   };
   // quotient < 2^(bits(num) - bits(den) + 1), so the first exponent leaves 53 or 54
   // bits. If it leaves 54 bits, the next exponent is used.
-  long exponent = std::max(bits(num) - bits(den) - digits, least_exponent);
+  long exponent = std::max(bits(num) - bits(den) - digits, min_exponent);
   for (;; ++exponent) {
     mpz_srcptr divisor = den;
     if (exponent <= 0) {

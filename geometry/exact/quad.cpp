@@ -162,12 +162,12 @@ std::optional<OrientedSides> orient_sides(const Quad& quad,
   return Placer(quad, places, numbers, angle_min, angle_max, stream).run();
 }
 
-Rational least_width_to_height() { return Rational(1, 5); }
+Rational min_width_to_height() { return Rational(1, 5); }
 Rational greatest_width_to_height() { return Rational(3); }
 
 std::vector<Rational> random_places(int count, const Rational& length_to_height,
                                     StreamKey stream) {
-  const Rational low = least_width_to_height() / length_to_height;
+  const Rational low = min_width_to_height() / length_to_height;
   const Rational high = greatest_width_to_height() / length_to_height;
   // The running sums are integers, so the rationals stay short. A width is low + (high
   // - low) u with u = k / 2^53.

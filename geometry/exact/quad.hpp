@@ -100,7 +100,7 @@ std::vector<Rational> random_places(int count, const Rational& length_to_height,
                                     StreamKey stream);
 
 /// Return the limits of random widths (report A.2.4).
-Rational least_width_to_height();
+Rational min_width_to_height();
 Rational greatest_width_to_height();
 
 }  // namespace blocks::geometry::exact

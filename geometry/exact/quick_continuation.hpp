@@ -85,7 +85,7 @@ inline std::optional<int> sign_below(const Line& side, const Vec2& corner,
 
 /// Bounds of a number.
 struct Bounds {
-  double least, most;
+  double min, max;
 };
 
 /// The part of a side that lies in a convex polygon, from and to places along it in
@@ -93,8 +93,8 @@ struct Bounds {
 struct PartOfSide {
   Bounds from{0.0, 0.0}, to{1.0, 1.0};
   bool is_open = false;
-  bool is_certain() const { return from.most < to.least; }
-  bool is_empty() const { return from.least >= to.most; }
+  bool is_certain() const { return from.max < to.min; }
+  bool is_empty() const { return from.min >= to.max; }
 };
 
 inline PartOfSide part_in(Outline polygon, int side, Outline other) {
@@ -119,11 +119,10 @@ inline PartOfSide part_in(Outline polygon, int side, Outline other) {
                  bound =
                      2.0 * (std::max(first.bound, last.bound) / length) + filter::u8;
     if (*before > 0)
-      part.to = {std::min(part.to.least, at - bound),
-                 std::min(part.to.most, at + bound)};
+      part.to = {std::min(part.to.min, at - bound), std::min(part.to.max, at + bound)};
     else
-      part.from = {std::max(part.from.least, at - bound),
-                   std::max(part.from.most, at + bound)};
+      part.from = {std::max(part.from.min, at - bound),
+                   std::max(part.from.max, at + bound)};
     part.is_open = !(length < 0x1p900);
     return !part.is_open;
   });
@@ -157,20 +156,20 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
     return false;
   // Bounds of the shift that the depth exceeds just so.
   const double scale = deepest_share * std::sqrt(e.length2);
-  const double most = more * ((value + bound) / scale),
-               least = less * ((value - bound) / scale);
-  if (!(least > 0x1p-500))
+  const double max = more * ((value + bound) / scale),
+               min = less * ((value - bound) / scale);
+  if (!(min > 0x1p-500))
     return std::nullopt;
   const auto holds = [&](Outline own, Outline corners) {
     return all_sides(own, [&](const Line& side) {
       return is_moderate(side.length2) &&
-             any_below(corners, side, more * (most * std::sqrt(side.length2)));
+             any_below(corners, side, more * (max * std::sqrt(side.length2)));
     });
   };
   const auto frees = [&](Outline own, Outline corners) {
     return !all_sides(own, [&](const Line& side) {
       return !is_moderate(side.length2) ||
-             !all_above(corners, side, less * (least * std::sqrt(side.length2)));
+             !all_above(corners, side, less * (min * std::sqrt(side.length2)));
     });
   };
   if (holds(one, other) && holds(other, one))
@@ -265,20 +264,19 @@ inline std::optional<Bounds> common_diameter(Outline one, Outline other) {
     Place place;
     bool is_certain;
   };
-  constexpr int most_vertices = 64;
-  std::array<Vertex, most_vertices> vertices;
+  constexpr int max_vertices = 64;
+  std::array<Vertex, max_vertices> vertices;
   int count = 0;
   const auto add = [&](Outline polygon, Outline in) {
     for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
       const PartOfSide part = part_in(polygon, i, in);
-      if (part.is_open || count + 2 > most_vertices)
+      if (part.is_open || count + 2 > max_vertices)
         return false;
       if (part.is_empty())
         continue;
       for (const Bounds& at : {part.from, part.to})
         vertices[static_cast<std::size_t>(count++)] = {
-            place_on(line_of(polygon, i),
-                     {0.5 * (at.least + at.most), at.most - at.least}),
+            place_on(line_of(polygon, i), {0.5 * (at.min + at.max), at.max - at.min}),
             part.is_certain()};
     }
     return true;
@@ -292,9 +290,9 @@ inline std::optional<Bounds> common_diameter(Outline one, Outline other) {
       const Vertex& last = vertices[static_cast<std::size_t>(k)];
       const double apart = (first.place.point - last.place.point).norm(),
                    bound = 2.0 * (first.place.bound + last.place.bound);
-      found.most = std::max(found.most, more * apart + bound);
+      found.max = std::max(found.max, more * apart + bound);
       if (first.is_certain && last.is_certain)
-        found.least = std::max(found.least, less * apart - bound);
+        found.min = std::max(found.min, less * apart - bound);
     }
   return found;
 }
@@ -306,15 +304,15 @@ inline std::optional<bool> exceeds_common_region(const Vec2& c, const Vec2& p1,
                                                  Outline other) {
   const Line e(p1, p2);
   const std::optional<Bounds> diameter = common_diameter(one, other);
-  if (!is_moderate(e.length2) || !diameter || !(diameter->most < 0x1p400))
+  if (!is_moderate(e.length2) || !diameter || !(diameter->max < 0x1p400))
     return std::nullopt;
   const Estimate area = e.area(c);
   const double scale = deepest_share * std::sqrt(e.length2);
-  if (area.value + area.bound < less * scale * diameter->least)
+  if (area.value + area.bound < less * scale * diameter->min)
     return false;
   const bool exceeds =
-      area.value - area.bound > more * scale * diameter->most + filter::underflow;
-  return exceeds && diameter->least > 0x1p-400 ? std::optional(true) : std::nullopt;
+      area.value - area.bound > more * scale * diameter->max + filter::underflow;
+  return exceeds && diameter->min > 0x1p-400 ? std::optional(true) : std::nullopt;
 }
 
 /// Returns the contact point of docs/contact-rule.md#hidden-axes. Its bound is not

@@ -20,22 +20,22 @@ inline void add_boxes(const Enclosure& from, const Enclosure& along, double begi
                       std::vector<Box>& boxes) {
   const double length =
       (end - begin) * std::max(std::abs(along.x.sup()), std::abs(along.y.sup()));
-  constexpr double most = 1024.0;  // for ends that are very far away
-  const double count = std::min(std::max(1.0, std::ceil(length / longest)), most);
+  constexpr double max = 1024.0;  // for ends that are very far away
+  const double count = std::min(std::max(1.0, std::ceil(length / longest)), max);
   const auto at = [&](double i) -> Enclosure {
     const Interval s =
         Interval(begin) + (Interval(end) - begin) * (Interval(i) / count);
     return {from.x + along.x * s, from.y + along.y * s};
   };
-  const auto least = [](double a, double b) {
+  const auto min = [](double a, double b) {
     constexpr double unbounded = -std::numeric_limits<double>::infinity();
     return a <= b ? a : b <= a ? b : unbounded;  // NaN after an overflow
   };
   Enclosure p = at(0.0);
   for (double i = 1.0; i <= count; ++i) {
     const Enclosure q = at(i);
-    double low[2] = {least(p.x.inf(), q.x.inf()), least(p.y.inf(), q.y.inf())};
-    double high[2] = {-least(-p.x.sup(), -q.x.sup()), -least(-p.y.sup(), -q.y.sup())};
+    double low[2] = {min(p.x.inf(), q.x.inf()), min(p.y.inf(), q.y.inf())};
+    double high[2] = {-min(-p.x.sup(), -q.x.sup()), -min(-p.y.sup(), -q.y.sup())};
     boxes.emplace_back(low, high, number);
     p = q;
   }
@@ -48,11 +48,11 @@ inline void add_boxes(const ExactPoint& from, const ExactPoint& to, const Vec2& 
                       std::vector<Box>& boxes) {
   const Enclosure p = enclosure(from), along = enclosure(to) - p;
   double begin = 0.0, end = 1.0;
-  const auto clip = [&](const Interval& start, const Interval& run, double least,
-                        double most) {
+  const auto clip = [&](const Interval& start, const Interval& run, double min,
+                        double max) {
     if (run.inf() <= 0.0 && run.sup() >= 0.0)
       return;
-    const Interval in = (least - start) / run, out = (most - start) / run;
+    const Interval in = (min - start) / run, out = (max - start) / run;
     begin = std::max(begin, std::min(in.inf(), out.inf()));
     end = std::min(end, std::max(in.sup(), out.sup()));
   };

@@ -28,7 +28,7 @@ post::Frame frame_of(const Blocks& blocks) {
 /// kind comes first, so that the most serious is drawn on top.
 void mark_places(const run::GeometryReport& report, post::FigureOptions& options) {
   using Kind = draw::Mark::Kind;
-  constexpr std::size_t most = 10;
+  constexpr std::size_t max = 10;
   const auto name = [&](Kind kind, const char* what, std::size_t shown,
                         std::size_t count) {
     if (count > 0)
@@ -39,7 +39,7 @@ void mark_places(const run::GeometryReport& report, post::FigureOptions& options
   };
   const auto first = [&](const auto& list, std::size_t count, Kind kind,
                          const char* what) {
-    const std::size_t shown = std::min(most, count);
+    const std::size_t shown = std::min(max, count);
     for (std::size_t i = 0; i < shown; ++i)
       options.marks.push_back({kind, list[i].place, {}, {}});
     name(kind, what, shown, count);
@@ -64,7 +64,7 @@ void mark_places(const run::GeometryReport& report, post::FigureOptions& options
     options.marks.push_back(
         {Kind::overlap,
          pair.place,
-         proof.overlaps.size() <= most
+         proof.overlaps.size() <= max
              ? fmt::format("{} and {}: area {}", pair.first + 1, pair.second + 1,
                            geometry::positive_text(pair.area, 3))
              : std::string(),

@@ -17,7 +17,7 @@ namespace {
 
 /// One card: how many numbers follow it, and the function that applies them.
 struct Card {
-  std::size_t least, most;
+  std::size_t min, max;
   std::function<void(DblockCards&, const std::vector<double>&)> act;
   bool whole = false;  ///< numbers are whole, 1 or more
 };
@@ -109,13 +109,13 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
     }
     values.push_back(value);
   }
-  if (values.size() < card.least || values.size() > card.most) {
+  if (values.size() < card.min || values.size() > card.max) {
     faults.error(line.fields.front().where, name,
-                 card.least == card.most
+                 card.min == card.max
                      ? fmt::format("expected {}, found {}",
-                                   draw::counted(card.least, "number"), values.size())
-                     : fmt::format("expected {} to {} numbers, found {}", card.least,
-                                   card.most, values.size()));
+                                   draw::counted(card.min, "number"), values.size())
+                     : fmt::format("expected {} to {} numbers, found {}", card.min,
+                                   card.max, values.size()));
     sound = false;
   }
   return sound ? std::optional(values) : std::nullopt;

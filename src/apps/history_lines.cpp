@@ -79,7 +79,7 @@ std::vector<draw::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool 
     const Key key{line.y_label, line.what};
     const auto& all = same.at(key);
     const std::size_t i = drawn[key]++;
-    const bool is_band = bands && all.size() > most_single_runs;
+    const bool is_band = bands && all.size() > max_single_runs;
     if (!is_band)
       panel(panels, line).lines.push_back(all[i]);
     else if (i == 0)

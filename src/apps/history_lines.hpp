@@ -11,7 +11,7 @@
 namespace blocks::apps {
 
 /// More runs than these are drawn as a band.
-constexpr std::size_t most_single_runs = 8;
+constexpr std::size_t max_single_runs = 8;
 
 /// One curve of one run.
 struct RunLine {
@@ -31,7 +31,7 @@ std::vector<std::string> run_names(const std::vector<post::RunParts>& runs);
 std::string legend_of(const std::string& curve, const std::string& run);
 
 /// Returns the panels in the order of the lines. With `bands`, curves of more than
-/// most_single_runs runs become a median and a band.
+/// max_single_runs runs become a median and a band.
 std::vector<draw::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool bands);
 
 }  // namespace blocks::apps

@@ -197,7 +197,7 @@ class Reader {
                            .folder = run::deck_folder(file),
                            .unit = {},
                            .outline = map.window,
-                           .most_blocks = geometry::max_joint_pieces},
+                           .max_new_blocks = geometry::max_joint_pieces},
                           diagnostics);
       if (!made)
         continue;

@@ -109,7 +109,7 @@ const study::Variant* default_rules() { return &study::all_variants().front(); }
 
 /// The largest share of contacts by which kept decisions may differ from those of the
 /// same step in a scene that must pass (docs/kept-decisions.md#renewal).
-constexpr double most_late = 1e-4;
+constexpr double max_late = 1e-4;
 
 /// Prints why --gate fails: the default rules hang, let a block through, or decide
 /// differently from exact arithmetic. A deck also fails if the first two are not
@@ -120,7 +120,7 @@ bool default_is_sound(const std::vector<study::Study>& studies) {
     for (const study::Row& row : study.rows) {
       if (row.variant != default_rules())
         continue;
-      const bool late = row.phantom.value > most_late || row.missed.value > most_late;
+      const bool late = row.phantom.value > max_late || row.missed.value > max_late;
       const bool exact = !(row.wrong_signs.value > 0 || row.wrong_tangents.value > 0 ||
                            (late && study.must_pass));
       const bool counted = study.not_counted.empty();

@@ -33,14 +33,14 @@ int refuse(const std::string& message, const std::string& hint) {
   return run::usage_error;
 }
 
-constexpr std::size_t most_named = 12;
+constexpr std::size_t max_named = 12;
 
 /// Lists the first names and counts the rest: "0, 0.5, 1 and 7 more".
 template <class List, class Name> std::string some(const List& list, Name name) {
   std::string text;
   std::size_t named = 0;
   for (const auto& one : list) {
-    if (named == most_named)
+    if (named == max_named)
       return text + fmt::format(" and {} more", list.size() - named);
     text += (named++ == 0 ? "" : ", ") + name(one);
   }

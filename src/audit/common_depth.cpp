@@ -34,9 +34,9 @@ double CommonDepth::along_normal(int edge, int other) const {
   const int own = blocks_.corner_block[edge];
   const Point along = corner_[blocks_.next[edge]] - corner_[edge];
   const auto depth = [&](const Point& p) { return cross(p - corner_[edge], along); };
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  double min = std::numeric_limits<double>::infinity(), max = -min;
   const auto reaches = [&](double at) {
-    least = std::min(least, at), most = std::max(most, at);
+    min = std::min(min, at), max = std::max(max, at);
   };
   for (const auto& [of, in] : {std::pair(own, other), std::pair(other, own)})
     for (int c = blocks_.first_corner[of]; c < blocks_.first_corner[of + 1]; ++c)
@@ -55,9 +55,8 @@ double CommonDepth::along_normal(int edge, int other) const {
       reaches(lattice_.rounded(weighted, 4) / lattice_.rounded(from - to, 2));
     }
   }
-  return most > least
-             ? (most - least) / std::sqrt(lattice_.rounded(dot(along, along), 2))
-             : 0.0;
+  return max > min ? (max - min) / std::sqrt(lattice_.rounded(dot(along, along), 2))
+                   : 0.0;
 }
 
 }  // namespace blocks::audit

@@ -32,19 +32,19 @@ Shape refined(const Shape& shape, const Whole& factor, const Point& shift) {
 }
 
 Length deepest(const Line& line, const Shape& shape) {
-  Whole most = line.area2(shape.front());
+  Whole max = line.area2(shape.front());
   for (const Point& p : shape)
-    most = std::max(most, line.area2(p));
-  return {most, line.length2()};
+    max = std::max(max, line.area2(p));
+  return {max, line.length2()};
 }
 
 Length separating_shift(const Shape& one, const Shape& other) {
-  Length least = deepest(side_of(one, 0), other);
+  Length min = deepest(side_of(one, 0), other);
   for (int i = 1; i < size(one); ++i)
-    least = std::min(least, deepest(side_of(one, i), other));
+    min = std::min(min, deepest(side_of(one, i), other));
   for (int i = 0; i < size(other); ++i)
-    least = std::min(least, deepest(side_of(other, i), one));
-  return least;
+    min = std::min(min, deepest(side_of(other, i), one));
+  return min;
 }
 
 Length longest_side(const Shape& shape) {
@@ -90,32 +90,32 @@ Length common_diameter(const Shape& one, const Shape& other) {
         for (const Ratio& at : {part->begin, part->end})
           vertices.push_back({at.d * side.start + at.n * side.along, at.d});
     }
-  Length most{0, 1};
+  Length max{0, 1};
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const Vertex &p = vertices[i], &q = vertices[k];
       const Point apart = p.factor * q.fine - q.factor * p.fine;
       const Whole apart2 = dot(apart, apart), factor = p.factor * q.factor;
       if (sign(apart2) > 0)
-        most = std::max(most, Length{apart2, apart2} / factor);
+        max = std::max(max, Length{apart2, apart2} / factor);
     }
-  return most;
+  return max;
 }
 
 Ratio way_out(const Shape& moving, const Point& way, const Shape& resting) {
-  std::optional<Ratio> least;
+  std::optional<Ratio> min;
   // `loss` is what a side loses of its area2 by the vector `way`.
   const auto leave = [&](const Line& side, const Shape& shape, const Whole& loss) {
     if (sign(loss) <= 0)
       return;
     const Ratio at{deepest(side, shape).n, loss};
-    least = least ? std::min(*least, at) : at;
+    min = min ? std::min(*min, at) : at;
   };
   for (int i = 0; i < size(resting); ++i)
     leave(side_of(resting, i), moving, cross(side_of(resting, i).along, way));
   for (int i = 0; i < size(moving); ++i)
     leave(side_of(moving, i), resting, cross(way, side_of(moving, i).along));
-  return *least;
+  return *min;
 }
 
 }  // namespace blocks::audit

@@ -97,18 +97,18 @@ Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
   depths.reserve(shape_[other].size());
   for (const Point& point : shape_[other])
     depths.push_back(e.area2(point));
-  const auto most = std::max_element(depths.begin(), depths.end());
-  int index = static_cast<int>(most - depths.begin());
+  const auto max = std::max_element(depths.begin(), depths.end());
+  int index = static_cast<int>(max - depths.begin());
   const bool is_first = rank_[parts_[side.part].block] < rank_[parts_[other].block];
   const int step = is_first ? 1 : count - 1;
-  for (int k = 1; k < count && depths[(index + step) % count] == *most; ++k)
+  for (int k = 1; k < count && depths[(index + step) % count] == *max; ++k)
     index = (index + step) % count;
   Axis axis;
   axis.side = side;
   axis.deepest = {other, index};
   axis.corner = number(axis.deepest);
   axis.depth = lattice_.rounded(depth_of(axis));
-  axis.depth_sign = sign(*most);
+  axis.depth_sign = sign(*max);
   axis.facing = facing_side(axis);
   return axis;
 }

@@ -40,8 +40,8 @@ int is_on_edge(const Blocks& blocks, const CornerEdge& contact, double overlap) 
       (Vec2(blocks.corner.col(corner)) - start).dot(side) / (length * length);
   const double depth = overlap / length;
   const double between = std::min(part, 1.0 - part) + geometry::contact_slack;
-  const double least = std::min(depth, between);
-  return std::abs(least) <= tolerance ? -1 : least > 0.0 ? 1 : 0;
+  const double min = std::min(depth, between);
+  return std::abs(min) <= tolerance ? -1 : min > 0.0 ? 1 : 0;
 }
 
 int HeldContacts::holds_open(const CornerEdge& contact, double offset,

@@ -123,8 +123,8 @@ Maybe plots_in_steps(const Fields& f, const Values& values, Diagnostics& diagnos
   }
   const Value& value = values.repeated.front();
   const double n = value.number.value();
-  constexpr double most = 9007199254740991.0;  // as for other whole numbers
-  if (n != std::floor(n) || n > most) {
+  constexpr double max = 9007199254740991.0;  // as for other whole numbers
+  if (n != std::floor(n) || n > max) {
     diagnostics.error(value.where, "PLOTS",
                       fmt::format("without dtplot, the number of steps must be whole, "
                                   "found {:g}",

@@ -111,8 +111,8 @@ struct Layer {
 struct Outline {
   SourceLocation where = {};
   Int nc, mat;
-  Word file, layer;         ///< file is given if nc is not
-  std::vector<Exact> x, y;  ///< [L] corners; empty until the file is read
+  Word file, layer;            ///< file is given if nc is not
+  std::vector<Exact> x, y;     ///< [L] corners; empty until the file is read
   std::string file_unit = {};  ///< of length, if the file states one: "mm"
 };
 struct Jset {
@@ -315,12 +315,12 @@ struct Fos {  // not in the report
   Real lower = {}, upper = {};
 
   /// Returns the largest number of steps of a trial that is ever made.
-  long most_steps() const {
+  long max_steps() const {
     constexpr long unless_given = 200'000;
     return ncycle.given ? ncycle.value : unless_given;
   }
   /// Returns the SOLVE card whose ratios a stable trial reaches.
-  Solve as_solve() const { return {ratio, {most_steps(), ncycle.where, true}}; }
+  Solve as_solve() const { return {ratio, {max_steps(), ncycle.where, true}}; }
 };
 struct Save {
   Word name;

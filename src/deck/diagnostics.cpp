@@ -8,7 +8,7 @@
 namespace blocks::deck {
 namespace {
 
-constexpr std::size_t most_printed = 100;
+constexpr std::size_t max_printed = 100;
 constexpr std::size_t widest_line = 120;
 constexpr std::size_t tab_stop = 8;
 
@@ -162,11 +162,11 @@ std::string Diagnostics::format_all() const {
            std::pair(b->where.line, b->where.column);
   });
   std::string out;
-  for (std::size_t i = 0; i < std::min(sorted.size(), most_printed); ++i) {
+  for (std::size_t i = 0; i < std::min(sorted.size(), max_printed); ++i) {
     out += format(*sorted[i]);
   }
-  if (sorted.size() > most_printed) {
-    out += fmt::format("... and {} more not shown\n", sorted.size() - most_printed);
+  if (sorted.size() > max_printed) {
+    out += fmt::format("... and {} more not shown\n", sorted.size() - max_printed);
   }
   const std::size_t warnings = all_.size() - errors;
   if (errors > 0) {

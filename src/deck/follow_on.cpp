@@ -95,7 +95,7 @@ TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
   const Flat flat = flatten(lines);
   const auto total = static_cast<long>(flat.fields.size());
   std::size_t best = 0;  // index of the last line of the first list
-  long least = -1;
+  long min = -1;
   int perfect = 0;
   int perfect_comma_free = 0;
   for (std::size_t i = 0; i < flat.line_ends.size(); ++i) {
@@ -106,8 +106,8 @@ TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
     const bool comma_free = sum == 0 && !lines[i].comma;
     perfect += sum == 0 ? 1 : 0;
     perfect_comma_free += comma_free ? 1 : 0;
-    if (least < 0 || sum < least || (comma_free && perfect_comma_free == 1)) {
-      least = sum;
+    if (min < 0 || sum < min || (comma_free && perfect_comma_free == 1)) {
+      min = sum;
       best = i;
     }
   }

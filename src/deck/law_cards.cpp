@@ -211,12 +211,12 @@ void limit_tension(Real& tension, const char* name, double cohesion,
                    const char* friction_name, Diagnostics& diagnostics) {
   if (!(friction > 0.0) || !(tension.value > cohesion / friction))
     return;
-  const double most = cohesion / friction;
+  const double max = cohesion / friction;
   diagnostics.warning(tension.where, "JOINT",
                       fmt::format("{} = {:g} is lowered to {} / {} = {:.6g}", name,
-                                  tension.value, cohesion_name, friction_name, most),
+                                  tension.value, cohesion_name, friction_name, max),
                       "under more tension the joint would have no shear strength");
-  tension.value = most;
+  tension.value = max;
 }
 
 }  // namespace

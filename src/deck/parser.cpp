@@ -37,7 +37,7 @@ class Parser {
   static std::vector<std::string_view> names(const std::vector<Line>& lines);
   /// Returns the first value of a card if it is a whole number.
   static std::optional<long> first_number(const Line& line);
-  long most_blocks(const CardSpec& spec, std::optional<long> number) const;
+  long max_new_blocks(const CardSpec& spec, std::optional<long> number) const;
 
   bool more() const { return next_ < lines_.size(); }
   /// Takes the lines of values up to the next keyword.
@@ -181,7 +181,7 @@ void Parser::unknown(const Line& line) {
 
 /// The number of blocks that a faulty card may have made at most. A faulty CLOOP,
 /// ORIENT or MERGE changes the number of blocks of later cards.
-long Parser::most_blocks(const CardSpec& spec, std::optional<long> number) const {
+long Parser::max_new_blocks(const CardSpec& spec, std::optional<long> number) const {
   constexpr long any = UnreadCard::any_number_of_blocks;
   if (spec.name == "CREATE") {
     return loop_ ? std::min(loop_->nloop.value, any) : 1;
@@ -274,14 +274,14 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
   // What a guess does to blocks matters for later cards. Nothing else may follow from
   // it.
   const bool only_guessed = misspelt && spec.phase == Phase::problem &&
-                            most_blocks(spec, first_number(line)) == 0;
+                            max_new_blocks(spec, first_number(line)) == 0;
   if (built && in_place && !only_guessed) {
     finish(spec, std::move(*built), where);
   } else if (spec.name != "CLOOP" || !values.ok) {
     const bool sound = !values.fields.empty() && values.fields.front().ok;
     const std::optional<long> number = sound ? first_number(line) : std::nullopt;
     deck_.unread.push_back(
-        {where, std::string(spec.name), number, most_blocks(spec, number)});
+        {where, std::string(spec.name), number, max_new_blocks(spec, number)});
   }
   if (spec.name != "CLOOP") {
     loop_.reset();

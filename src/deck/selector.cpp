@@ -88,8 +88,8 @@ std::vector<Part> split(std::string_view text, std::size_t begin, std::size_t en
 geometry::Decimal number_of(const Part& part, const Form& form) {
   const Number number = read_number(part.text);
   const double x = number.value.value();
-  constexpr double most = 1e9;
-  const bool fits = !form.whole || (x >= 1.0 && x <= most && x == std::floor(x));
+  constexpr double max = 1e9;
+  const bool fits = !form.whole || (x >= 1.0 && x <= max && x == std::floor(x));
   if (number.fault == NumberFault::none && fits)
     return number.value;
   throw SelectorFault(fmt::format("expected a {} in {}, found '{}'",

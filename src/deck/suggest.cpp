@@ -41,7 +41,7 @@ std::string suggest(std::string_view word,
   }
   const std::string wanted = capitals(word);
   std::string best;
-  long least = 0;
+  long min = 0;
   for (const std::string_view candidate : candidates) {
     const std::string name = capitals(candidate);
     const std::size_t distance = edit_distance(wanted, name);
@@ -65,8 +65,8 @@ std::string suggest(std::string_view word,
         wanted.begin();
     const long score =
         2 * static_cast<long>(distance) - same + rank * static_cast<long>(4 * longest);
-    if (best.empty() || score < least) {
-      least = score;
+    if (best.empty() || score < min) {
+      min = score;
       best = candidate;
     }
   }

@@ -58,10 +58,10 @@ double roundest(double first, double last, double step) {
 }
 
 std::size_t longest_label(const std::vector<std::string>& labels) {
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (const std::string& label : labels)
-    most = std::max(most, label.size());
-  return most;
+    max = std::max(max, label.size());
+  return max;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace blocks::draw {
 class Pen;
 
 /// Number of joint ids that a legend lists.
-constexpr std::size_t most_joints_listed = 16;
+constexpr std::size_t max_joints_listed = 16;
 
 /// Returns the colour of a joint, id >= 1. The first eight differ for colour-blind
 /// readers, and the first four also as greys. Later ids have tints of these colours.

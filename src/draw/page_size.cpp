@@ -62,8 +62,8 @@ PageSize PageSize::in_print(const std::string& text) {
   page.width = width / page.unit;
   page.height = height / page.unit;
   page.printed = true;
-  page.least_text = 7.0 * point / page.unit;
-  page.most_text = 9.0 * point / page.unit;
+  page.min_text = 7.0 * point / page.unit;
+  page.max_text = 9.0 * point / page.unit;
   return page;
 }
 

@@ -8,11 +8,11 @@ namespace blocks::draw {
 /// The size of a page in units of its layout, in which usual text is 14 high.
 struct PageSize {
   double width = 1200;
-  double height = 0;         ///< 0: as high as the content needs
-  double unit = 1;           ///< length of a unit: pixels or points (PNG, SVG, PDF)
-  bool printed = false;      ///< a unit is a number of points, in a PNG too
-  double least_text = 0;     ///< smallest letters
-  double most_text = 10000;  ///< largest letters
+  double height = 0;        ///< 0: as high as the content needs
+  double unit = 1;          ///< length of a unit: pixels or points (PNG, SVG, PDF)
+  bool printed = false;     ///< a unit is a number of points, in a PNG too
+  double min_text = 0;      ///< smallest letters
+  double max_text = 10000;  ///< largest letters
 
   /// Returns a page whose text grows with its width [pixels or points].
   static PageSize on_screen(double width);

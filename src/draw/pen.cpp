@@ -54,7 +54,7 @@ void Pen::dashes(std::initializer_list<double> lengths) {
 }
 
 double Pen::letters(double size) const {
-  return std::clamp(size, page_.least_text, page_.most_text);
+  return std::clamp(size, page_.min_text, page_.max_text);
 }
 
 cairo_text_extents_t Pen::measure(const std::string& words, double size) {
@@ -105,7 +105,7 @@ void Pen::text(const std::string& given, double x, double y, double size,
   std::string shown = words;
   if (box.width > room) {
     size = letters(size) * room / box.width;
-    if (size < page_.least_text)
+    if (size < page_.min_text)
       shown = fitted(words, size, room);
     box = measure(shown, size);
   }

@@ -7,9 +7,9 @@
 
 namespace blocks::draw {
 
-ValueRange ValueRange::of_decades(double least, double most, int decades) {
-  const double top = std::ceil(std::log10(most));
-  const double bottom = std::floor(std::log10(least));
+ValueRange ValueRange::of_decades(double min, double max, int decades) {
+  const double top = std::ceil(std::log10(max));
+  const double bottom = std::floor(std::log10(min));
   return {std::pow(10.0, std::clamp(bottom, top - decades, top - 1.0)),
           std::pow(10.0, top), true};
 }

@@ -28,8 +28,8 @@ Spring joined(const Spring& own, const Spring& other, double cosine, double more
   const double stiffness =
       std::min(own.stiffness + more, std::max(limit, own.stiffness));
   const double energy = own.energy() + cosine * cosine * other.energy();
-  const double most = std::sqrt(2.0 * stiffness * energy);
-  return {std::clamp(own.force + cosine * other.force, -most, most), stiffness};
+  const double max = std::sqrt(2.0 * stiffness * energy);
+  return {std::clamp(own.force + cosine * other.force, -max, max), stiffness};
 }
 
 /// Chooses the contact that can take most of one released spring.
@@ -54,13 +54,13 @@ class Choice {
 
  private:
   /// Finds the best candidate. The cosine of the angle between the edge of the released
-  /// contact and that of another contact of the same corner must be above `least`.
-  void find(double least) {
+  /// contact and that of another contact of the same corner must be above `min`.
+  void find(double min) {
     // Few contacts have the same corner, so this is tested first.
     arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
       each_row(static_cast<int>(lane), [&](int row, const ContactRow& contacts, int k) {
         if (contacts.corner[k] == released_.at.corner && acts(row, k))
-          consider(row, static_cast<int>(lane), least);
+          consider(row, static_cast<int>(lane), min);
       });
     });
     const int own = arrays_.lane_of_pair[released_.pair];
@@ -137,9 +137,9 @@ class Choice {
   }
   /// Makes a contact the best candidate if its normal spring gains more than that of
   /// the best one so far. The cosine of the angle between the two edges has to be above
-  /// `least_cosine`. If the candidate's corner belongs to the other block, its edge
+  /// `min_cosine`. If the candidate's corner belongs to the other block, its edge
   /// runs in the opposite direction, so the sign of the cosine is changed.
-  void consider(int row, int lane_of_pair, double least_cosine) {
+  void consider(int row, int lane_of_pair, double min_cosine) {
     if (has_stiffness_ != has_stiffness(row, lane_of_pair % lane_count))
       return;
     const int lane = lane_of_pair % lane_count;
@@ -148,7 +148,7 @@ class Choice {
     const Vec2 edge = along(contacts.edge[lane]);
     const double sense = blocks_.corner_block[corner] == block_ ? 1.0 : -1.0;
     const double cosine = sense * along_.dot(edge);
-    if (cosine <= least_cosine)
+    if (cosine <= min_cosine)
       return;
     const double own = arrays_.batches.springs[row].normal_elastic[lane];
     if (adds_) {

@@ -14,7 +14,7 @@ namespace {
 
 using geometry::Vec2;
 
-constexpr int most_halvings = 12;  // for curves that the range of numbers distorts
+constexpr int max_halvings = 12;  // for curves that the range of numbers distorts
 
 /// The error that rounding of coordinates of this size may have, [L].
 double unit_of(const Vec2& p) { return 0x1p-50 * p.lpNorm<Eigen::Infinity>(); }
@@ -69,7 +69,7 @@ void add_bezier(Bezier curve, int halvings, ChordError& error,
                 std::vector<Vec2>& points) {
   const double distance = distance_from_chord(curve);
   const double allowed = std::max(error.allowed, unit_of(place(curve.front())));
-  if (!(distance > allowed) || halvings == most_halvings) {
+  if (!(distance > allowed) || halvings == max_halvings) {
     error.largest = std::max(error.largest, distance);
     points.push_back(place(curve.back()));
     return;
@@ -89,7 +89,7 @@ void halve_arc(const Vec2& p, const Vec2& q, double bulge, int halvings,
   const Vec2 chord = q - p;
   const double rise = 0.5 * std::abs(bulge) * chord.norm();
   const double allowed = std::max(error.allowed, unit_of(p));
-  if (!(rise > allowed) || halvings == most_halvings) {
+  if (!(rise > allowed) || halvings == max_halvings) {
     error.largest = std::max(error.largest, rise);
     points.push_back(q);
     return;

@@ -21,13 +21,13 @@ struct Extent {
   Vec2 lower = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 upper = -lower;
   double shortest_side = std::numeric_limits<double>::infinity();
-  std::size_t most_corners = 0;
+  std::size_t max_corners = 0;
 };
 
 Extent extent_of(const std::vector<Outline>& outlines) {
   Extent extent;
   for (const Outline& outline : outlines) {
-    extent.most_corners = std::max(extent.most_corners, outline.corners.size());
+    extent.max_corners = std::max(extent.max_corners, outline.corners.size());
     Vec2 previous = outline.corners.back();
     for (const Vec2& corner : outline.corners) {
       extent.lower = extent.lower.cwiseMin(corner);
@@ -96,7 +96,7 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
   std::string deck = fmt::format(
       "$ Blocks of {}. Units assumed: m, kg, s. Stiffness, materials, friction and\n$ "
       "gravity are examples: replace them by your own.\nSTART, {}, {}\nBLOCKS OF {}\n",
-      one_line(source.title), outlines.size(), extent.most_corners,
+      one_line(source.title), outlines.size(), extent.max_corners,
       one_line(source.title).substr(0, 70));
   deck += fmt::format("XLIMITS, {}, {}\nYLIMITS, {}, {}\nBOXES, {}, {}, {}\n",
                       rounded(extent.lower.x() - margin, step, false),

@@ -15,7 +15,7 @@ namespace blocks::exchange {
 namespace {
 
 constexpr std::size_t longest_line = 1000;  // dxflib reads lines of up to 1,023
-constexpr std::size_t most_entities = 10'000'000;
+constexpr std::size_t max_entities = 10'000'000;
 
 struct Group {
   int code = 0;
@@ -173,9 +173,9 @@ class EntityFinder {
   }
 
   void open(const Group& group) {
-    if (found_.entities.size() == most_entities) {
+    if (found_.entities.size() == max_entities) {
       if (!is_full_)
-        error(group.at, fmt::format("more than {} entities", most_entities),
+        error(group.at, fmt::format("more than {} entities", max_entities),
               "divide the drawing into parts");
       is_full_ = true;
       return;

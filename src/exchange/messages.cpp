@@ -7,7 +7,7 @@
 namespace blocks::exchange {
 namespace {
 
-constexpr std::size_t most_shown = 40;
+constexpr std::size_t max_shown = 40;
 constexpr std::size_t before = 50,
                       after = 30;  // characters shown around the caret in a long line
 
@@ -66,7 +66,7 @@ std::string format(std::vector<Message> messages, const std::string& file,
   std::string out;
   std::size_t line = 1, begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   std::size_t column = 1, counted_to = begin;  // both within the line
-  for (std::size_t i = 0; i < std::min(messages.size(), most_shown); ++i) {
+  for (std::size_t i = 0; i < std::min(messages.size(), max_shown); ++i) {
     Message& message = messages[i];
     std::string where = file;
     std::string shown_line;
@@ -86,12 +86,12 @@ std::string format(std::vector<Message> messages, const std::string& file,
     }
     out += fmt::format("{}: {}: {}: {}\n{}", where, message.error ? "error" : "warning",
                        form, shown(message.text), shown_line);
-    const bool last = i + 1 == std::min(messages.size(), most_shown);
+    const bool last = i + 1 == std::min(messages.size(), max_shown);
     if (!message.hint.empty() && (last || messages[i + 1].hint != message.hint))
       out += "  hint: " + message.hint + "\n";
   }
-  if (messages.size() > most_shown)
-    out += fmt::format("... and {} more not shown\n", messages.size() - most_shown);
+  if (messages.size() > max_shown)
+    out += fmt::format("... and {} more not shown\n", messages.size() - max_shown);
   const auto errors = static_cast<std::size_t>(std::count_if(
       messages.begin(), messages.end(), [](const Message& m) { return m.error; }));
   const auto counted = [](std::size_t n, const char* noun) {

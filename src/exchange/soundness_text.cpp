@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t shown = 5;
 // Number of overlapping pairs listed, the largest ones.
-constexpr std::size_t most_pairs = 10;
+constexpr std::size_t max_pairs = 10;
 
 std::string counted(std::size_t n, const std::string& noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
@@ -59,7 +59,7 @@ std::vector<Message> faults(const Soundness& soundness,
                    [](const auto& a, const auto& b) { return a.area > b.area; });
   const std::string hint =
       keep_overlaps ? "" : "correct the outlines, or accept them with --keep-overlaps";
-  for (std::size_t i = 0; i < std::min(largest.size(), most_pairs); ++i) {
+  for (std::size_t i = 0; i < std::min(largest.size(), max_pairs); ++i) {
     const geometry::BlockOverlap& pair = largest[i];
     messages.push_back(
         {!keep_overlaps, outlines[pair.first].at,
@@ -70,10 +70,10 @@ std::vector<Message> faults(const Soundness& soundness,
                      pair.place.y()),
          hint, 0});
   }
-  if (largest.size() > most_pairs)
+  if (largest.size() > max_pairs)
     messages.push_back({!keep_overlaps, nowhere,
                         fmt::format("{} more pairs of blocks overlap, by less",
-                                    largest.size() - most_pairs),
+                                    largest.size() - max_pairs),
                         hint});
   return messages;
 }

@@ -20,24 +20,24 @@ DirectionFit fit_directions(const std::vector<Piece>& pieces, double middle) {
   const auto n = static_cast<double>(pieces.size());
   UniformSample uniform;
   uniform.resolution = 1e-6;  // degrees
-  uniform.least = -HUGE_VAL;
+  uniform.min = -HUGE_VAL;
   double mean = 0.0, squares = 0.0, fourths = 0.0;
   for (const Piece& piece : pieces) {
     uniform.values.push_back(half_turn(piece.direction - middle));
     mean += uniform.values.back() / n;
   }
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double min = HUGE_VAL, max = -HUGE_VAL;
   for (const double one : uniform.values) {
     const double square = (one - mean) * (one - mean);
     squares += square / n, fourths += square * square / n;
-    least = std::min(least, one), most = std::max(most, one);
+    min = std::min(min, one), max = std::max(max, one);
   }
   DirectionFit found;
   const auto is_uniform = [&] {  // of two laws with two parameters, the likelier one
-    return -n * std::log(most - least) >
+    return -n * std::log(max - min) >
            -0.5 * n * (1.0 + std::log(2.0 * std::numbers::pi * squares));
   };
-  if (most - least <= uniform.resolution || is_uniform()) {
+  if (max - min <= uniform.resolution || is_uniform()) {
     const UniformFit fit = fit_uniform(uniform);
     found = {fit.mean, fit.half_range};
   } else if (pieces.size() > 2) {

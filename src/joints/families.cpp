@@ -47,10 +47,10 @@ class Expectation {
 
   /// Improves the components until the likelihood hardly grows.
   double improve(std::vector<Component>& components) {
-    constexpr int most_rounds = 500;
+    constexpr int max_rounds = 500;
     constexpr double enough = 1e-6;  // relative to the number of directions
     double last = -HUGE_VAL;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       const double now = expect(components);
       if (now - last < enough * static_cast<double>(angles_.size()))
         break;
@@ -73,17 +73,17 @@ class Expectation {
     double sum = 0.0;
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       double* const p = probability_.data() + i * k;
-      double most = -HUGE_VAL;
+      double max = -HUGE_VAL;
       for (std::size_t c = 0; c < k; ++c) {
         p[c] = factors[c] + turned[c].log_shape(cosines_[i], sines_[i]);
-        most = std::max(most, p[c]);
+        max = std::max(max, p[c]);
       }
       double total = 0.0;
       for (std::size_t c = 0; c < k; ++c)
-        total += p[c] = std::exp(p[c] - most);
+        total += p[c] = std::exp(p[c] - max);
       for (std::size_t c = 0; c < k; ++c)
         p[c] /= total;
-      sum += most + std::log(total);
+      sum += max + std::log(total);
     }
     return sum;
   }
@@ -95,7 +95,7 @@ class Expectation {
   const std::vector<double>& angles() const { return angles_; }
 
   /// Where the directions are most numerous compared with the mixture.
-  double least_explained(const std::vector<Component>& components) const {
+  double min_explained(const std::vector<Component>& components) const {
     constexpr int places = 90;
     constexpr double width = 2.0 * pi / places;
     std::array<double, places> seen{};
@@ -106,7 +106,7 @@ class Expectation {
           1.0 / static_cast<double>(angles_.size());
     }
     int best = 0;
-    double most = -HUGE_VAL;
+    double max = -HUGE_VAL;
     for (int k = 0; k < places; ++k) {
       double excess = 0.0;
       for (int near = -2; near <= 2; ++near) {
@@ -116,8 +116,8 @@ class Expectation {
           density += std::exp(one.log_factor() + one.log_shape((at + 0.5) * width));
         excess += seen[static_cast<std::size_t>(at)] - density * width;
       }
-      if (excess > most)
-        most = excess, best = k;
+      if (excess > max)
+        max = excess, best = k;
     }
     return (best + 0.5) * width;
   }
@@ -133,10 +133,10 @@ class Expectation {
         x += p * cosines_[i];
         y += p * sines_[i];
       }
-      constexpr double least_weight = 1e-9;  // an empty component stays where it is
+      constexpr double min_weight = 1e-9;  // an empty component stays where it is
       components[c].weight =
-          std::max(weight / static_cast<double>(angles_.size()), least_weight);
-      if (weight > least_weight) {
+          std::max(weight / static_cast<double>(angles_.size()), min_weight);
+      if (weight > min_weight) {
         components[c].mean = std::atan2(y, x);
         components[c].kappa = kappa_of(std::hypot(x, y) / weight);
       }
@@ -153,15 +153,15 @@ std::vector<Component> with_one_more(Expectation& all,
                                      const std::vector<Component>& fewer) {
   const std::size_t k = fewer.size() + 1;
   std::vector<Component> best;
-  double most = -HUGE_VAL;
+  double max = -HUGE_VAL;
   const auto attempt = [&](std::vector<Component> start) {
     const double now = all.improve(start);
-    if (now > most)
-      most = now, best = std::move(start);
+    if (now > max)
+      max = now, best = std::move(start);
   };
   if (k > 1) {
     constexpr double part = 0.2;
-    const double place = all.least_explained(fewer);
+    const double place = all.min_explained(fewer);
     for (const double kappa : {2.0, 20.0, 200.0}) {
       std::vector<Component> start = fewer;
       for (Component& one : start)
@@ -214,7 +214,7 @@ Mixture joined(Mixture mixture, const std::vector<double>& degrees) {
   for (int& member : mixture.member)
     if (member >= 0 &&
         mean_resultant(mixture.families[static_cast<std::size_t>(member)].kappa) <
-            least_resultant)
+            min_resultant)
       member = -1;
   mixture.member = merge_families(degrees, std::move(mixture.member));
   mixture.families.clear();
@@ -261,14 +261,14 @@ Mixture fit_mixture(const std::vector<double>& degrees, int k) {
   return mixture_of(all, components);
 }
 
-Mixture find_families(const std::vector<double>& degrees, int most) {
+Mixture find_families(const std::vector<double>& degrees, int max) {
   Expectation all(degrees);
   std::vector<Component> components;
   Mixture best = mixture_of(all, components);
   // Three numbers describe a component, so it needs more directions than that. Two
   // components more that do not help end the search.
   constexpr std::size_t fewest = 4;
-  for (int k = 1; k <= std::min(most, best.components + 2) &&
+  for (int k = 1; k <= std::min(max, best.components + 2) &&
                   degrees.size() >= fewest * static_cast<std::size_t>(k);
        ++k) {
     components = with_one_more(all, components);

@@ -26,19 +26,19 @@ struct Mixture {
 };
 
 /// The largest number of families.
-inline constexpr int most_families = 6;
+inline constexpr int max_families = 6;
 
 /// A component with a smaller mean resultant (0: isotropic, 1: all directions equal)
 /// has no preferred direction, as in the rose of a figure.
-inline constexpr double least_resultant = 0.4;
+inline constexpr double min_resultant = 0.4;
 
 /// Fits k components by expectation and maximisation, k >= 0. The result depends on
 /// nothing but the directions.
 Mixture fit_mixture(const std::vector<double>& degrees, int k);
 
-/// Fits 0 to `most` components and takes the fit with the smallest bic. Members of
-/// components whose mean resultant is below least_resultant are scattered. Other
+/// Fits 0 to `max` components and takes the fit with the smallest bic. Members of
+/// components whose mean resultant is below min_resultant are scattered. Other
 /// components that describe one family are joined (merge_families).
-Mixture find_families(const std::vector<double>& degrees, int most = most_families);
+Mixture find_families(const std::vector<double>& degrees, int max = max_families);
 
 }  // namespace blocks::joints

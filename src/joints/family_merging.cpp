@@ -40,14 +40,14 @@ double family_evidence(const std::vector<double>& off) {
   if (off.size() < 3)
     return -n * std::log(180.0);
   constexpr double finest = 0.01;  // degrees; directions are not known better
-  double mean = 0.0, squares = 0.0, least = off[0], most = off[0];
+  double mean = 0.0, squares = 0.0, min = off[0], max = off[0];
   for (const double one : off) {
     mean += one / n;
-    least = std::min(least, one), most = std::max(most, one);
+    min = std::min(min, one), max = std::max(max, one);
   }
   for (const double one : off)
     squares += (one - mean) * (one - mean);
-  const double range = std::max(most - least, finest);
+  const double range = std::max(max - min, finest);
   squares = std::max(squares, n * finest * finest);
   const double log_prior = -std::log(180.0 * 90.0);
   const double uniform =
@@ -67,7 +67,7 @@ std::vector<int> merge_families(const std::vector<double>& degrees,
   };
   for (;;) {
     const std::set<int> groups = groups_of();
-    double most = 0.0;
+    double max = 0.0;
     int keep = -1, join = -1;
     for (const int a : groups)
       for (const int b : groups) {
@@ -79,8 +79,8 @@ std::vector<int> merge_families(const std::vector<double>& degrees,
                              log_factorial(one.size()) + log_factorial(other.size()) -
                              log_factorial(one.size() + other.size() + 1);
         const double gain = family_evidence(differences(degrees, member, a, b)) - apart;
-        if (gain > most)
-          most = gain, keep = a, join = b;
+        if (gain > max)
+          max = gain, keep = a, join = b;
       }
     if (keep < 0)
       break;

@@ -107,12 +107,12 @@ FittedLaw fit_length_law(LengthForm form, const LengthSample& sample) {
   fitted.parameters = form == LengthForm::exponential ? 1 : 2;
   if (sample.complete.size() < 2)
     return fitted;
-  double sum = 0.0, most = 0.0;
+  double sum = 0.0, max = 0.0;
   for (const auto* lengths :
        {&sample.complete, &sample.one_hidden, &sample.both_hidden})
     for (const double length : *lengths) {
       sum += length;
-      most = std::max(most, length);
+      max = std::max(max, length);
     }
   const double usual = sum / static_cast<double>(sample.size());
   // The law of this mean that fits best, and minus its log likelihood.
@@ -131,7 +131,7 @@ FittedLaw fit_length_law(LengthForm form, const LengthSample& sample) {
     const double value = -sample.log_likelihood(law_at(log_mean));
     return std::isfinite(value) ? value : 1e300;
   };
-  const double low = std::log(0.01 * usual), high = std::log(100.0 * most);
+  const double low = std::log(0.01 * usual), high = std::log(100.0 * max);
   const double best = place_of_minimum(cost, low, high);
   fitted.law = law_at(best);
   fitted.log_likelihood = sample.log_likelihood(fitted.law);

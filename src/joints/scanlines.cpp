@@ -56,7 +56,7 @@ std::vector<Crossing> crossings_of(const Scanline& line, const Network& network)
 SpacingStatistics spacing_statistics(const std::vector<Scanline>& lines,
                                      const Network& network,
                                      const std::vector<char>& chosen) {
-  constexpr double least_cosine = 0.1;  // nearly parallel traces would count too much
+  constexpr double min_cosine = 0.1;  // nearly parallel traces would count too much
   SpacingStatistics sum;
   std::vector<double> spacings;
   for (const Scanline& line : lines) {
@@ -68,7 +68,7 @@ SpacingStatistics spacing_statistics(const std::vector<Scanline>& lines,
       if (!chosen.empty() && chosen[one.piece] == 0)
         continue;
       ++sum.crossings;
-      sum.corrected += 1.0 / std::max(one.cosine, least_cosine);
+      sum.corrected += 1.0 / std::max(one.cosine, min_cosine);
       if (last != nullptr && last->chord == one.chord)
         spacings.push_back(one.place - last->place);
       last = &one;

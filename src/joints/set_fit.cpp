@@ -47,9 +47,9 @@ class SetFitter {
     const DirectionFit directions = fit_directions(pieces_, family.mean);
     fit_.dip = directions.mean;
     fit_.ddev = directions.half_range;
-    constexpr double most_deviation = 89.0;  // JSET takes less than 90
-    if (fit_.ddev.value > most_deviation)
-      fit_.ddev.value = most_deviation;
+    constexpr double max_deviation = 89.0;  // JSET takes less than 90
+    if (fit_.ddev.value > max_deviation)
+      fit_.ddev.value = max_deviation;
     if (until > 0)
       fit_until(until);
     else if (runs_through())
@@ -311,11 +311,11 @@ std::vector<int> families_at_ends(const Network& network, const Mixture& mixture
       if (host > 0 && family_of.at(host) >= 0)
         ++at[k][static_cast<std::size_t>(family_of.at(host))];
   }
-  constexpr double most = 0.75;
+  constexpr double max = 0.75;
   std::vector<int> until(n, -1);
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
-      if (j != k && visible[k] > 0.0 && at[k][j] >= most * visible[k])
+      if (j != k && visible[k] > 0.0 && at[k][j] >= max * visible[k])
         until[k] = static_cast<int>(j);
   std::vector<int> result = until;
   for (std::size_t k = 0; k < n; ++k)
@@ -326,12 +326,12 @@ std::vector<int> families_at_ends(const Network& network, const Mixture& mixture
 
 }  // namespace
 
-NetworkFit fit_sets(const Network& network, double shortest, int most) {
+NetworkFit fit_sets(const Network& network, double shortest, int max) {
   NetworkFit fit;
   std::vector<double> directions;
   for (const Piece& piece : network.pieces)
     directions.push_back(piece.direction);
-  const Mixture mixture = find_families(directions, most);
+  const Mixture mixture = find_families(directions, max);
   fit.components = mixture.components;
   const auto chosen = [&](int k) {
     std::vector<char> members;

@@ -33,12 +33,12 @@ struct NetworkFit {
   int components = 0;  ///< of the mixture, before some were joined
 };
 
-/// Fits one set for each family of directions, at most `most` of them. At least
+/// Fits one set for each family of directions, at most `max` of them. At least
 /// three scattered traces make one more set: with the law POISSON if they run through,
 /// otherwise with ddev 90. shortest: [L] shorter
-/// traces were not mapped everywhere. The network has pieces. There are no sets if fewer
-/// than three traces are scattered and no others have a family.
+/// traces were not mapped everywhere. The network has pieces. There are no sets if
+/// fewer than three traces are scattered and no others have a family.
 NetworkFit fit_sets(const Network& network, double shortest = 0.0,
-                    int most = most_families);
+                    int max = max_families);
 
 }  // namespace blocks::joints

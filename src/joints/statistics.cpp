@@ -95,7 +95,7 @@ MapStatistics statistics_of(const TraceMap& map, const StatisticsOptions& option
   std::vector<double> directions;
   for (const Piece& piece : network.pieces)
     directions.push_back(piece.direction);
-  found.mixture = find_families(directions, options.most_families);
+  found.mixture = find_families(directions, options.max_families);
   for (int k = 0; k < static_cast<int>(found.mixture.families.size()); ++k)
     found.families.push_back(family_statistics(network, found.mixture, k));
   if (FamilyStatistics rest = family_statistics(network, found.mixture, -1);

@@ -14,7 +14,7 @@ namespace blocks::joints {
 struct StatisticsOptions {
   double shortest = 0.0;  ///< [L] >= 0: shorter traces were not mapped everywhere
   std::vector<Scanline> scanlines;  ///< given by the user
-  int most_families = joints::most_families;
+  int max_families = joints::max_families;
 };
 
 /// The topology of a network (Sanderson and Nixon 2015). NaN where a count is 0.

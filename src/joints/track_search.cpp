@@ -61,15 +61,15 @@ std::pair<double, double> range_of_offsets(const geometry::Polygon& window,
   }
   const auto offset = [&](int k) { return low + (high - low) * (k + 0.5) / steps; };
   int best = 0;
-  double most = 0.0;
+  double max = 0.0;
   for (int k = 0; k < steps; ++k)
-    if (const double one = longest_chord(window, frame, offset(k)); one > most)
-      most = one, best = k;
+    if (const double one = longest_chord(window, frame, offset(k)); one > max)
+      max = one, best = k;
   int first = best, last = best;
-  while (first > 0 && longest_chord(window, frame, offset(first - 1)) >= 0.5 * most)
+  while (first > 0 && longest_chord(window, frame, offset(first - 1)) >= 0.5 * max)
     --first;
   while (last + 1 < steps &&
-         longest_chord(window, frame, offset(last + 1)) >= 0.5 * most)
+         longest_chord(window, frame, offset(last + 1)) >= 0.5 * max)
     ++last;
   const double half = 0.5 * (high - low) / steps;
   return {offset(first) - half, offset(last) + half};
@@ -107,7 +107,7 @@ class TrackFinder {
  public:
   /// deviation: of the directions [radians]. least: [L] smallest distance of two
   /// tracks.
-  TrackFinder(const std::vector<Placed>& placed, double deviation, double least)
+  TrackFinder(const std::vector<Placed>& placed, double deviation, double min)
       : placed_(placed) {
     constexpr double blurs = 4.0;
     const auto n = static_cast<double>(placed.size());
@@ -117,7 +117,7 @@ class TrackFinder {
       longest = std::max(longest, one.end - one.begin);
     }
     // The mean direction has an error, which moves all middles far along the tracks.
-    reach_ = std::max(blurs * deviation * std::sqrt(far / n), least);
+    reach_ = std::max(blurs * deviation * std::sqrt(far / n), min);
     // The middle of a cut trace is elsewhere, by up to half of what is hidden.
     cut_reach_ = [=, this](const Placed& one) {
       return reach_ + 2.0 * deviation * 0.5 * (longest - (one.end - one.begin));

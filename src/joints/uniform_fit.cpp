@@ -32,12 +32,12 @@ Estimate quantiles(std::vector<Cell>& cells, double Cell::*coordinate) {
 
 /// Returns distances from an end of the sample that grow as powers, with the widths of
 /// their cells. unit: the usual distance; most: the largest one.
-std::vector<std::pair<double, double>> distances(double unit, double most) {
+std::vector<std::pair<double, double>> distances(double unit, double max) {
   constexpr int count = 160;
   std::vector<std::pair<double, double>> found;
-  if (!(most > 0.0))
+  if (!(max > 0.0))
     return {{0.0, 1.0}};
-  const double step = std::log1p(most / unit) / count;
+  const double step = std::log1p(max / unit) / count;
   for (int k = 0; k < count; ++k) {
     const double begin = unit * std::expm1(k * step);
     const double end = unit * std::expm1((k + 1) * step);
@@ -54,9 +54,9 @@ UniformFit fit_uniform(const UniformSample& sample) {
   if (values.size() < 2)
     return fit;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double least = *low, most = *high, range = most - least;
+  const double min = *low, max = *high, range = max - min;
   if (range <= sample.resolution) {
-    const double middle = 0.5 * (least + most);
+    const double middle = 0.5 * (min + max);
     fit.mean = {middle, middle - sample.resolution, middle + sample.resolution};
     fit.half_range = {0.0, 0.0, sample.resolution};
     fit.log_evidence = HUGE_VAL;
@@ -65,11 +65,11 @@ UniformFit fit_uniform(const UniformSample& sample) {
   const auto n = static_cast<double>(values.size());
   // The probability that an end is farther away is below 1e-5.
   const double farthest = range * std::expm1(std::log(1e5) / (n - 1.0));
-  const double below = std::min(farthest, least - sample.least);
+  const double below = std::min(farthest, min - sample.min);
   std::vector<Cell> cells;
   for (const auto& [p, dp] : distances(range / n, below))
     for (const auto& [q, dq] : distances(range / n, farthest)) {
-      const double a = least - p, b = most + q;
+      const double a = min - p, b = max + q;
       double likelihood = -n * std::log(b - a);
       if (sample.other_factors)
         likelihood += sample.other_factors(a, b);

@@ -23,7 +23,7 @@ struct UniformSample {
   std::vector<double> values;  ///< at least two
   /// Values that differ by less are equal: the rounding of the file.
   double resolution = 0.0;
-  double least = 0.0;  ///< the law has no smaller values; may be -infinity
+  double min = 0.0;  ///< the law has no smaller values; may be -infinity
   /// Logarithm of the other factors of the likelihood for a law from a to b; may be
   /// -infinity. Empty: none.
   std::function<double(double a, double b)> other_factors = {};

@@ -28,10 +28,10 @@ void add_strip(double dt, double c0, double c1, double shortest, ChordMeasure& s
     sum.width += dt;
     sum.area += 0.5 * dt * (excess0 + excess1);
   } else if (excess0 > 0.0 || excess1 > 0.0) {
-    const double most = std::max(excess0, excess1);
-    const double part = dt * most / std::abs(excess0 - excess1);
+    const double max = std::max(excess0, excess1);
+    const double part = dt * max / std::abs(excess0 - excess1);
     sum.width += part;
-    sum.area += 0.5 * part * most;
+    sum.area += 0.5 * part * max;
   }
 }
 

@@ -25,7 +25,7 @@ std::string crack_report(const Settings& settings) {
                         named_material(settings, number), rule.strength);
     if (rule.point_strength > 0.0)
       text += fmt::format(", under point loads at {:g}", rule.point_strength);
-    text += fmt::format("; least area of a piece {:g}; ", rule.least_area);
+    text += fmt::format("; least area of a piece {:g}; ", rule.min_area);
     text += rule.joint > 0 ? fmt::format("new faces have joint id {}\n", rule.joint)
                            : "new faces have no joint id\n";
   }

@@ -64,7 +64,7 @@ struct KeptDepth {
   int own_block = 0, own_part = 0;      ///< block, and number of the part in it
   int other_block = 0, other_part = 0;  ///< the same
   int side = 0;                         ///< number of the side in `own`
-  double least = 0.0, most = 0.0;       ///< [L] limits
+  double min = 0.0, max = 0.0;          ///< [L] limits
 };
 
 /// All decisions of a run. Blocks and corners have the numbers of the steps

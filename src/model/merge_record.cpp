@@ -10,9 +10,9 @@ std::string MergeRecord::why() const {
     return fmt::format("just below {:g}, by less than doubles resolve", limit);
   for (int digits = 6; digits < 17; ++digits) {
     const std::string ratio = fmt::format("{:.{}g}", width_to_height, digits);
-    const std::string least = fmt::format("{:.{}g}", limit, digits);
-    if (ratio != least)
-      return ratio + " < " + least;
+    const std::string min = fmt::format("{:.{}g}", limit, digits);
+    if (ratio != min)
+      return ratio + " < " + min;
   }
   return fmt::format("{:.17g} < {:.17g}", width_to_height, limit);
 }

@@ -114,7 +114,7 @@ struct SolveRecord {
   int local_block = -1;  ///< its block; -1: all are in equilibrium
   double dt = 0.0;       ///< [T] time step
   /// smallest and largest Blocks::scale of free blocks; 1 without MSCALE
-  double least_scale = 1.0, largest_scale = 1.0;
+  double min_scale = 1.0, largest_scale = 1.0;
 };
 
 /// The state of a run.

@@ -48,8 +48,8 @@ std::vector<int> strip_order(const Blocks& blocks) {
   return order;
 }
 
-std::vector<int> order_if_worthwhile(const Blocks& blocks, int least) {
-  if (blocks.size() < least)
+std::vector<int> order_if_worthwhile(const Blocks& blocks, int min) {
+  if (blocks.size() < min)
     return {};
   // If k blocks side by side are numbered at random, the path is 0.5 sqrt(k) times as
   // long.

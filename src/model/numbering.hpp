@@ -10,19 +10,19 @@ namespace blocks {
 
 /// Smallest number of blocks for which renumbering is considered. Smaller models stay
 /// in the cache in any order.
-inline constexpr int least_worth_numbering = 4000;
+inline constexpr int min_worth_numbering = 4000;
 
 /// Returns all block numbers, (n) from 0, ordered by strips and along each strip by
 /// centroid. The strips run across the longer side of the model and are 1.5 typical
 /// block sizes wide. Blocks with equal positions keep the order of their numbers.
 std::vector<int> strip_order(const Blocks& blocks);
 
-/// Returns strip_order if it pays, otherwise an empty order. It pays from `least`
+/// Returns strip_order if it pays, otherwise an empty order. It pays from `min`
 /// blocks on, if the path from centroid to centroid by number is more than 16 times as
 /// long as by strips. The ratio is 1 to 2 for numbering by rows or columns. It exceeds
 /// 16 if about a thousand blocks side by side are numbered at random.
 std::vector<int> order_if_worthwhile(const Blocks& blocks,
-                                     int least = least_worth_numbering);
+                                     int min = min_worth_numbering);
 
 /// Old and new numbers of the same items.
 struct NewNumbers {

@@ -8,7 +8,7 @@
 namespace blocks {
 namespace {
 
-constexpr double least_factor = 1.0 / 64.0, largest_factor = 64.0;
+constexpr double min_factor = 1.0 / 64.0, largest_factor = 64.0;
 
 bool was_tried(std::span<const SafetyTrial> trials, double factor) {
   return std::any_of(trials.begin(), trials.end(),
@@ -27,12 +27,11 @@ std::optional<double> below_all(const SafetyFactor& card,
     return was_tried(trials, card.lower) ? std::nullopt : std::optional(card.lower);
   if (trials.empty())
     return card.upper > 0.0 ? std::min(1.0, 0.5 * card.upper) : 1.0;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (const SafetyTrial& trial : trials)
-    least = std::min(least, trial.factor);
-  return least > least_factor && count_undecided(trials) < 2
-             ? std::optional(0.5 * least)
-             : std::nullopt;
+    min = std::min(min, trial.factor);
+  return min > min_factor && count_undecided(trials) < 2 ? std::optional(0.5 * min)
+                                                         : std::nullopt;
 }
 
 /// Returns the factor to try while no trial was failing; likewise.
@@ -106,12 +105,12 @@ std::optional<double> next_factor(const SafetyFactor& card,
 
 std::vector<double> possible_factors(const SafetyFactor& card,
                                      std::span<const SafetyTrial> trials,
-                                     std::size_t most) {
+                                     std::size_t max) {
   std::vector<double> factors;
   // Each entry is what may be known some trials later. Those with fewer trials are
   // first.
   std::deque<std::vector<SafetyTrial>> later = {{trials.begin(), trials.end()}};
-  while (!later.empty() && factors.size() < most) {
+  while (!later.empty() && factors.size() < max) {
     std::vector<SafetyTrial> known = std::move(later.front());
     later.pop_front();
     const std::optional<double> next = next_factor(card, known);

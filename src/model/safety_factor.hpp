@@ -36,7 +36,7 @@ struct SafetyFactor {
   double lower = 0.0, upper = 0.0;
   /// steps in which the model forgets a disturbance (run::response_steps)
   long response = 0;
-  long most_steps = 0;    ///< of a trial
+  long max_steps = 0;     ///< of a trial
   bool complete = false;  ///< all trials have been made
 };
 
@@ -55,18 +55,18 @@ SafetyBracket bracket_of(std::span<const SafetyTrial> trials);
 
 /// Returns the factor of the next trial; empty if the bracket is narrow enough, or
 /// cannot become narrower. Bounds that the card gives are tried first. A bound that it
-/// does not give is looked for from 1, or half of `upper` if that is less, by halves and
-/// doubles, to 1/64 and 64, or until two trials were undecided. Then the bracket is
+/// does not give is looked for from 1, or half of `upper` if that is less, by halves
+/// and doubles, to 1/64 and 64, or until two trials were undecided. Then the bracket is
 /// halved. If factors within it are undecided, the parts below and above all of them
 /// are halved.
 std::optional<double> next_factor(const SafetyFactor& card,
                                   std::span<const SafetyTrial> trials);
 
-/// Returns up to `most` different factors that the next trials may need, the certain
+/// Returns up to `max` different factors that the next trials may need, the certain
 /// one first. The result of a trial decides which of the others are needed.
 std::vector<double> possible_factors(const SafetyFactor& card,
                                      std::span<const SafetyTrial> trials,
-                                     std::size_t most);
+                                     std::size_t max);
 
 /// Divides the strengths of all joints by `factor` > 0: friction coefficients, cohesion
 /// and tensile strength, peak and residual, the whole shear strength of BARTON, and the

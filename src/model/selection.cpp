@@ -90,12 +90,12 @@ std::vector<BlockSide> sides_on(const Blocks& blocks, const Vec2& a, const Vec2&
 
 BlockCorner nearest_corner(const Blocks& blocks, const Vec2& point) {
   BlockCorner nearest;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int c = 0; c < blocks.corners(); ++c) {
     const int b = blocks.corner_block[c];
     const double square = (blocks.corner.col(c) - point).squaredNorm();
-    if (!blocks.is_removed(b) && square < least) {
-      least = square;
+    if (!blocks.is_removed(b) && square < min) {
+      min = square;
       nearest = {b, c - blocks.first_corner[b]};
     }
   }

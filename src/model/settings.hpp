@@ -30,7 +30,7 @@ struct Material {
 /// CRACK card: when the blocks of a material split (docs/cracks.md#when-blocks-split).
 struct CrackRule {
   double strength = 0.0;        ///< [F/L^2] ten > 0, of the largest principal stress
-  double least_area = 0.0;      ///< [L^2] amin > 0, of a piece
+  double min_area = 0.0;        ///< [L^2] amin > 0, of a piece
   double point_strength = 0.0;  ///< [F/L^2] tenp under point loads; 0: no such cracks
   int joint = 0;                ///< joint id of the new faces
 };

@@ -228,18 +228,18 @@ bool WaterNow::under_one_part(const Blocks& blocks, int b, BlockWater& result) {
       !(last_.left <= s && s < last_.right))
     last_ = part(part_at(s));
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double least = infinity, most = -infinity, left = infinity, right = -infinity;
+  double min = infinity, max = -infinity, left = infinity, right = -infinity;
   for (int c = begin; c < end; ++c) {
     const Vec2 at = blocks.corner.col(c);
     const double s = across_.dot(at), p = last_.pressure(at);
     left = std::min(left, s), right = std::max(right, s);
-    least = std::min(least, p), most = std::max(most, p);
+    min = std::min(min, p), max = std::max(max, p);
   }
   if (left < last_.left || right > last_.right)
     return false;
-  if (most <= 0.0)
+  if (max <= 0.0)
     return true;
-  if (least < 0.0)
+  if (min < 0.0)
     return false;
   const auto f = blocks.gradient.col(b);  // deforms the block since creation
   const double area = blocks.area[b] * (f[0] * f[3] - f[1] * f[2]);

@@ -301,11 +301,11 @@ Column Column::open(hid_t parent, const std::string& path) {
     throw Failure(path + " has the wrong shape");
   hsize_t extent[2] = {0, 1};
   check(H5Sget_simple_extent_dims(space.get(), extent, nullptr));
-  constexpr hsize_t most = std::numeric_limits<hsize_t>::max();
+  constexpr hsize_t max = std::numeric_limits<hsize_t>::max();
   if (extent[1] < 1)
     throw Failure(path + " has the wrong shape");
   expect_in_file(column.dataset_.get(), path,
-                 extent[0] > most / extent[1] ? most : extent[0] * extent[1]);
+                 extent[0] > max / extent[1] ? max : extent[0] * extent[1]);
   column.rows_ = extent[0];
   column.width_ = rank == 2 ? extent[1] : 0;
   column.chunk_rows_ = rows_of_chunk(column.dataset_.get());

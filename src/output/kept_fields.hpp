@@ -53,14 +53,14 @@ template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
   });
   visit_poses(poses, "kept/poses", ar);
   ar.records("kept/depths", depths, [](auto& column, auto& depth) {
-    auto& [own_block, own_part, other_block, other_part, side, least, most] = depth;
+    auto& [own_block, own_part, other_block, other_part, side, min, max] = depth;
     column({"own_block", IndexOf::block}, own_block);
     column("own_part", own_part);
     column({"other_block", IndexOf::block}, other_block);
     column("other_part", other_part);
     column("side", side);
-    column("least", least);
-    column("most", most);
+    column("least", min);
+    column("most", max);
   });
   ar({"kept/pieces", IndexOf::block}, pieces);
   ar({"kept/most", not_negative}, longest_path);

@@ -13,10 +13,10 @@ namespace {
 
 /// Returns the line below a SOLVE that has scaled masses; otherwise empty.
 std::string scaling_text(const SolveRecord& solve) {
-  if (solve.least_scale == 1.0 && solve.largest_scale == 1.0)
+  if (solve.min_scale == 1.0 && solve.largest_scale == 1.0)
     return "";
   return fmt::format("          masses scaled by {:.6g} to {:.6g}, time step {:.6g}\n",
-                     solve.least_scale, solve.largest_scale, solve.dt);
+                     solve.min_scale, solve.largest_scale, solve.dt);
 }
 
 }  // namespace

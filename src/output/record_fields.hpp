@@ -116,7 +116,7 @@ void visit_block_records(E& exits, G& merges, L& layers, C& cuts, J& joint_lengt
 template <class S, class Archive> void visit_solves(S& solves, Archive& ar) {
   ar.records({"solves", not_negative}, solves, [](auto& column, auto& solve) {
     auto& [line, wanted, reached, step_count, end, converged, largest_force, at,
-           wanted_local, reached_local, local_block, dt, least_scale, largest_scale] =
+           wanted_local, reached_local, local_block, dt, min_scale, largest_scale] =
         solve;
     column("line", line);
     column("wanted", wanted);
@@ -130,7 +130,7 @@ template <class S, class Archive> void visit_solves(S& solves, Archive& ar) {
     column("reached_local", reached_local);
     column({"local_block", IndexOf::block_or_none}, local_block);
     column("dt", dt);
-    column("least_scale", least_scale);
+    column("least_scale", min_scale);
     column("largest_scale", largest_scale);
   });
 }
@@ -138,13 +138,13 @@ template <class S, class Archive> void visit_solves(S& solves, Archive& ar) {
 template <class F, class T, class Archive>
 void visit_safety(F& factors, T& trials, Archive& ar) {
   ar.records({"safety_factors", not_negative}, factors, [](auto& column, auto& card) {
-    auto& [line, width, lower, upper, response, most_steps, complete] = card;
+    auto& [line, width, lower, upper, response, max_steps, complete] = card;
     column("line", line);
     column("width", width);
     column("lower", lower);
     column("upper", upper);
     column("response", response);
-    column("most_steps", most_steps);
+    column("most_steps", max_steps);
     column("complete", complete);
   });
   ar.records({"safety_trials", not_negative}, trials, [](auto& column, auto& trial) {

@@ -15,12 +15,12 @@ namespace blocks::output {
 /// Returns the rows per chunk, from the rows per frame. A large frame fills whole
 /// chunks; small frames share one.
 inline hsize_t chunk_rows(hsize_t rows) {
-  constexpr hsize_t least = 256, most = 16384;
+  constexpr hsize_t min = 256, max = 16384;
   if (rows == 0)
-    return least;
-  if (rows < least)
-    return rows * ((least + rows - 1) / rows);
-  const hsize_t chunks = (rows + most - 1) / most;
+    return min;
+  if (rows < min)
+    return rows * ((min + rows - 1) / rows);
+  const hsize_t chunks = (rows + max - 1) / max;
   return (rows + chunks - 1) / chunks;
 }
 

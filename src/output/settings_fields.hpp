@@ -107,10 +107,10 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
                });
   ar.materials("settings/crack_rules", crack_rules,
                [](auto& column, auto& number, auto& rule) {
-                 auto& [strength, least_area, point_strength, joint] = rule;
+                 auto& [strength, min_area, point_strength, joint] = rule;
                  column("number", number);
                  column({"strength", positive}, strength);
-                 column({"least_area", positive}, least_area);
+                 column({"least_area", positive}, min_area);
                  column({"point_strength", not_negative}, point_strength);
                  column({"joint", not_negative}, joint);
                });

@@ -236,7 +236,7 @@ Json exits(const Model& model) {
 }
 
 bool is_scaled(const SolveRecord& solve) {
-  return solve.least_scale != 1.0 || solve.largest_scale != 1.0;
+  return solve.min_scale != 1.0 || solve.largest_scale != 1.0;
 }
 
 Json solves(const Model& model) {
@@ -253,7 +253,7 @@ Json solves(const Model& model) {
          {"reached_local", solve.reached_local},
          {"local_block", solve.local_block < 0 ? Json() : Json(solve.local_block + 1)},
          {"time_step", solve.dt},
-         {"mass_scaling", is_scaled(solve) ? Json{{"least", solve.least_scale},
+         {"mass_scaling", is_scaled(solve) ? Json{{"least", solve.min_scale},
                                                   {"largest", solve.largest_scale}}
                                            : Json()},
          {"largest_unbalanced", solve.block < 0 ? Json()
@@ -288,7 +288,7 @@ Json factor_of_safety(const Model& model, std::size_t search) {
           {"width", card.width},
           {"complete", card.complete},
           {"response_steps", card.response},
-          {"most_steps", card.most_steps},
+          {"most_steps", card.max_steps},
           {"trials", list}};
 }
 

@@ -108,8 +108,8 @@ ColumnStatistics statistics_of(const Ensemble& ensemble, std::size_t group,
     found.needed = needed_runs(found.summary, precision);
   }
   if (found.summary.n > 0) {
-    found.least_row = rows[found.summary.least_at];
-    found.most_row = rows[found.summary.most_at];
+    found.min_row = rows[found.summary.min_at];
+    found.max_row = rows[found.summary.max_at];
   }
   return found;
 }

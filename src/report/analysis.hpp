@@ -27,8 +27,8 @@ struct ColumnStatistics {
   std::size_t missing = 0;  ///< runs that are done, but have no value
   /// For a share, its Wilson interval; otherwise the t interval of the mean.
   Interval interval;
-  std::optional<std::size_t> needed;  ///< runs for the precision; empty for a share
-  std::size_t least_row = 0, most_row = 0;  ///< of the ensemble, if n > 0
+  std::optional<std::size_t> needed;     ///< runs for the precision; empty for a share
+  std::size_t min_row = 0, max_row = 0;  ///< of the ensemble, if n > 0
 };
 
 /// The paired difference of a group from its reference: the group with the same other

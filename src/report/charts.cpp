@@ -60,11 +60,11 @@ draw::ChartLine bars(const std::vector<double>& values,
 /// Returns the groups that a figure shows: all, or some at equal distances if there are
 /// too many.
 std::vector<std::size_t> drawn_groups(const std::vector<std::size_t>& with_values) {
-  if (with_values.size() <= most_groups_drawn)
+  if (with_values.size() <= max_groups_drawn)
     return with_values;
   std::vector<std::size_t> some;
-  for (std::size_t i = 0; i < most_groups_drawn; ++i)
-    some.push_back(with_values[i * (with_values.size() - 1) / (most_groups_drawn - 1)]);
+  for (std::size_t i = 0; i < max_groups_drawn; ++i)
+    some.push_back(with_values[i * (with_values.size() - 1) / (max_groups_drawn - 1)]);
   return some;
 }
 
@@ -135,10 +135,10 @@ std::vector<std::size_t> by_parameter(const Analysis& analysis) {
 }  // namespace
 
 std::vector<double> bin_boundaries(std::vector<double> values) {
-  constexpr double fewest = 5.0, most = 40.0;
+  constexpr double fewest = 5.0, max = 40.0;
   std::sort(values.begin(), values.end());
   const double low = values.front(), high = values.back(), range = high - low;
-  if (all_whole(values) && range <= most) {
+  if (all_whole(values) && range <= max) {
     std::vector<double> around;
     for (double at = low - 0.5; at <= high + 0.5; at += 1.0)
       around.push_back(at);
@@ -151,7 +151,7 @@ std::vector<double> bin_boundaries(std::vector<double> values) {
   }
   const double spread = sorted_quantile(values, 0.75) - sorted_quantile(values, 0.25);
   const double width = 2.0 * spread / std::cbrt(static_cast<double>(values.size()));
-  const double count = std::clamp(width > 0.0 ? range / width : fewest, fewest, most);
+  const double count = std::clamp(width > 0.0 ? range / width : fewest, fewest, max);
   const std::vector<double> ticks =
       draw::nice_ticks(low, high, static_cast<int>(std::lround(count)));
   if (ticks.size() < 2)

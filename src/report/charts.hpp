@@ -13,7 +13,7 @@
 namespace blocks::report {
 
 /// Returns the median and the band of the profiles of the groups; empty if there is no
-/// profile. At most most_groups_drawn groups are drawn.
+/// profile. At most max_groups_drawn groups are drawn.
 draw::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis);
 
 /// Returns the histogram of a measure, one panel for each group; empty if it has fewer
@@ -37,7 +37,7 @@ draw::DotChart index_chart(const Ensemble& ensemble, const Sensitivity& sensitiv
                            std::size_t column);
 
 /// The most groups in one figure of profiles or histograms.
-inline constexpr std::size_t most_groups_drawn = 6;
+inline constexpr std::size_t max_groups_drawn = 6;
 
 /// The boundaries of bins: round numbers, at least one bin. The width follows Freedman
 /// and Diaconis (1981), 2 (q75 - q25) / n^(1/3), within 5 to 40 bins. Whole numbers

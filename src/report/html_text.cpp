@@ -81,10 +81,10 @@ std::string url_of(const std::string& path) {
 std::string number_text(double value) {
   if (!std::isfinite(value))
     return no_value;
-  constexpr double most_whole = 1e7, most_fixed = 1e5, least_long = 1e3;
+  constexpr double max_whole = 1e7, max_fixed = 1e5, min_long = 1e3;
   const double size = std::abs(value);
-  if ((value == std::round(value) && size < most_whole) ||
-      (size >= least_long && size < most_fixed))
+  if ((value == std::round(value) && size < max_whole) ||
+      (size >= min_long && size < max_fixed))
     return with_minus(fmt::format("{:.0f}", value + 0.0));
   return with_power(fmt::format("{:#.4g}", value));
 }

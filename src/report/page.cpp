@@ -96,12 +96,12 @@ void PageWriter::outcomes() {
 }
 
 void PageWriter::key_numbers() {
-  constexpr std::size_t most_cards = 6;
+  constexpr std::size_t max_cards = 6;
   if (analysis_.groups.empty())
     return;
   text_ += "<div class=\"cards\">\n";
   std::size_t cards = 0;
-  for (std::size_t c = 0; c < all_.columns.size() && cards < most_cards; ++c) {
+  for (std::size_t c = 0; c < all_.columns.size() && cards < max_cards; ++c) {
     const Column& column = all_.columns[c];
     const ColumnStatistics& found = analysis_.groups.front().columns[c];
     if (found.summary.n == 0)

@@ -178,20 +178,20 @@ void PageWriter::sensitivities() {
 std::string PageWriter::constants(std::vector<bool>& is_constant) const {
   std::string words;
   for (std::size_t c = 0; c < all_.columns.size(); ++c) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
+    double min = std::numeric_limits<double>::infinity(), max = -min;
     std::size_t n = 0;
     for (const GroupStatistics& group : analysis_.groups)
       if (const Summary& s = group.columns[c].summary; s.n > 0) {
-        least = std::min(least, s.least);
-        most = std::max(most, s.most);
+        min = std::min(min, s.min);
+        max = std::max(max, s.max);
         n += s.n;
       }
-    if (n < 2 || least < most || all_.columns[c].is_share)
+    if (n < 2 || min < max || all_.columns[c].is_share)
       continue;
     is_constant[c] = true;
     words += fmt::format(
         "{}{}: {}", words.empty() ? "" : "; ", escaped(all_.columns[c].label),
-        number_with_unit(number_text(least), escaped(all_.columns[c].unit)));
+        number_with_unit(number_text(min), escaped(all_.columns[c].unit)));
   }
   return words;
 }
@@ -205,8 +205,8 @@ void PageWriter::histograms() {
   text_ += "<section>\n<h2>Distributions</h2>\n";
   if (!figures.empty())
     text_ += "<p>Each bar counts runs. The dashed line is the median." +
-             (all_.groups.size() > most_groups_drawn
-                  ? fmt::format(" {} of {} groups are drawn.", most_groups_drawn,
+             (all_.groups.size() > max_groups_drawn
+                  ? fmt::format(" {} of {} groups are drawn.", max_groups_drawn,
                                 all_.groups.size())
                   : "") +
              "</p>\n" + figures;

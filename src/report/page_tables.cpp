@@ -13,7 +13,7 @@ namespace blocks::report {
 namespace {
 
 /// The most rows of the table of runs, and the most groups with a table of their own.
-constexpr std::size_t most_rows = 1000, most_group_rows = 400;
+constexpr std::size_t max_rows = 1000, max_group_rows = 400;
 
 /// Returns the name of a measure as two lines: in words, and as the user writes it.
 std::string column_name(const Column& column) {
@@ -55,7 +55,7 @@ void PageWriter::parameter_cells(HtmlTable& table, const Group& group) const {
 }
 
 std::size_t PageWriter::shown_groups() const {
-  return std::min(all_.groups.size(), most_group_rows);
+  return std::min(all_.groups.size(), max_group_rows);
 }
 
 void PageWriter::group_table(
@@ -70,10 +70,10 @@ void PageWriter::group_table(
     cells(table, g);
   }
   text_ += table.html();
-  if (all_.groups.size() > most_group_rows)
+  if (all_.groups.size() > max_group_rows)
     text_ += fmt::format("<p class=\"note\">The first {} of {} groups; "
                          "<code>-o table.csv</code> has all.</p>\n",
-                         most_group_rows, all_.groups.size());
+                         max_group_rows, all_.groups.size());
 }
 
 void PageWriter::outcome_table() {
@@ -132,8 +132,8 @@ void PageWriter::statistics_cells(HtmlTable& table, const Column& column,
                number_text(s.standard_deviation), number_text(s.low.value),
                number_text(s.median.value) + "<small>" +
                    interval_text(s.median.interval) + "</small>",
-               number_text(s.high.value), extreme(s.least, found.least_row),
-               extreme(s.most, found.most_row),
+               number_text(s.high.value), extreme(s.min, found.min_row),
+               extreme(s.max, found.max_row),
                found.needed ? std::to_string(*found.needed) : "–"});
 }
 
@@ -278,20 +278,19 @@ void PageWriter::index_table(const Sensitivity& one, std::size_t column) {
 
 std::vector<std::size_t> PageWriter::shown_rows() const {
   std::set<std::size_t> shown;
-  const bool all = all_.rows.size() <= most_rows;
+  const bool all = all_.rows.size() <= max_rows;
   if (!all) {
     shown.insert(typical_.begin(), typical_.end());
     for (const GroupStatistics& group : analysis_.groups)
       for (const ColumnStatistics& one : group.columns)
-        if (one.summary.n > 0 && shown.size() + 2 <= most_rows / 2)
-          shown.insert({one.least_row, one.most_row});
-    for (std::size_t r = 0; r < all_.rows.size() && shown.size() < most_rows * 3 / 4;
+        if (one.summary.n > 0 && shown.size() + 2 <= max_rows / 2)
+          shown.insert({one.min_row, one.max_row});
+    for (std::size_t r = 0; r < all_.rows.size() && shown.size() < max_rows * 3 / 4;
          ++r)
       if (has_failed(all_.rows[r]))
         shown.insert(r);
   }
-  for (std::size_t r = 0; r < all_.rows.size() && (all || shown.size() < most_rows);
-       ++r)
+  for (std::size_t r = 0; r < all_.rows.size() && (all || shown.size() < max_rows); ++r)
     shown.insert(r);
   return {shown.begin(), shown.end()};
 }

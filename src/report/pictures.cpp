@@ -9,7 +9,7 @@ namespace blocks::report {
 namespace {
 
 /// Blocks of one picture that is drawn as lines; a larger model is an image.
-constexpr int most_drawn_blocks = 5000;
+constexpr int max_drawn_blocks = 5000;
 
 draw::PageSize whole_width() { return draw::PageSize::in_print("240mm"); }
 
@@ -37,7 +37,7 @@ std::string picture(const Ensemble& ensemble, const RunRow& row,
     options.subtitle =
         post::time_text(results.frame(last).time, std::nullopt, ensemble.units) +
         "    " + options.subtitle;
-  if (results.frame(last).size() <= most_drawn_blocks)
+  if (results.frame(last).size() <= max_drawn_blocks)
     return post::figure_svg(results, frames, options);
   return fmt::format("<img alt=\"the blocks\" src=\"data:image/png;base64,{}\">",
                      base64(post::figure_png(results, frames, options)));

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The most results files that are opened to find one that is not damaged.
-constexpr std::size_t most_tried = 10;
+constexpr std::size_t max_tried = 10;
 
 class Scout {
  public:
@@ -44,7 +44,7 @@ class Scout {
           continue;
         const std::string results = results_path(one, i + 1);
         if (outcome->code != run::done) {
-          if (!has_results && of_others.size() < most_tried && fs::exists(results))
+          if (!has_results && of_others.size() < max_tried && fs::exists(results))
             of_others.push_back(results);
           continue;
         }

@@ -89,16 +89,16 @@ bool is_sound(const std::string& page, const Ensemble& ensemble, const RunRow& r
 
 /// Returns the file, or its last part if it is long.
 std::string end_of_log(const std::string& path) {
-  constexpr std::streamoff most = 20000;
+  constexpr std::streamoff max = 20000;
   if (!exists(path))
     return {};
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in)
     return {};
   const std::streamoff size = in.tellg();
-  in.seekg(std::max<std::streamoff>(size - most, 0));
+  in.seekg(std::max<std::streamoff>(size - max, 0));
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  return size > most ? "...\n" + text.substr(text.find('\n') + 1) : text;
+  return size > max ? "...\n" + text.substr(text.find('\n') + 1) : text;
 }
 
 /// Returns the rows of the table of parameters and outcome.
@@ -163,22 +163,22 @@ void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& 
 std::set<std::size_t> played_rows(const Analysis& analysis,
                                   const std::vector<bool>& with_results,
                                   const std::vector<std::size_t>& chosen,
-                                  std::size_t most) {
+                                  std::size_t max) {
   std::set<std::size_t> rows;
   if (static_cast<std::size_t>(
-          std::count(with_results.begin(), with_results.end(), true)) <= most) {
+          std::count(with_results.begin(), with_results.end(), true)) <= max) {
     for (std::size_t r = 0; r < with_results.size(); ++r)
       if (with_results[r])
         rows.insert(rows.end(), r);
     return rows;
   }
   for (const std::size_t r : chosen)
-    if (rows.size() < most)
+    if (rows.size() < max)
       rows.insert(r);
   for (const GroupStatistics& group : analysis.groups)
     for (const ColumnStatistics& column : group.columns)
-      if (column.summary.n > 0 && rows.size() + 2 <= most)
-        rows.insert({column.least_row, column.most_row});
+      if (column.summary.n > 0 && rows.size() + 2 <= max)
+        rows.insert({column.min_row, column.max_row});
   return rows;
 }
 
@@ -186,15 +186,15 @@ std::set<std::size_t> played_rows(const Analysis& analysis,
 
 RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
                          const std::vector<std::size_t>& chosen,
-                         std::size_t most_played) {
+                         std::size_t max_played) {
   const bool runs = ensemble.kind() == sweep::Kind::run;
   const auto ended = [&](const RunRow& row) { return row.state != State::open; };
   std::vector<bool> with_results(ensemble.rows.size(), false);
   for (std::size_t r = 0; r < ensemble.rows.size(); ++r)
     with_results[r] = ensemble.rows[r].has_results;
   const std::set<std::size_t> played =
-      played_rows(analysis, with_results, chosen, most_played);
-  const bool summaries = runs && ensemble.rows.size() <= most_summary_pages;
+      played_rows(analysis, with_results, chosen, max_played);
+  const bool summaries = runs && ensemble.rows.size() <= max_summary_pages;
   RunPages pages;
   pages.files.resize(ensemble.rows.size());
   for (std::size_t r = 0; r < ensemble.rows.size(); ++r) {

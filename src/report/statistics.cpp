@@ -15,7 +15,7 @@ namespace blocks::report {
 namespace {
 
 constexpr double tail = 0.5 * (1.0 - confidence);
-constexpr std::size_t most_needed = 1'000'000'000;
+constexpr std::size_t max_needed = 1'000'000'000;
 
 /// Returns the normal quantile of the confidence, 1.96.
 double normal_quantile() {
@@ -92,10 +92,10 @@ Summary summarize(const std::vector<double>& values) {
     const double value = values[i];
     if (!std::isfinite(value))
       continue;
-    if (finite.empty() || value < summary.least)
-      summary.least = value, summary.least_at = i;
-    if (finite.empty() || value > summary.most)
-      summary.most = value, summary.most_at = i;
+    if (finite.empty() || value < summary.min)
+      summary.min = value, summary.min_at = i;
+    if (finite.empty() || value > summary.max)
+      summary.max = value, summary.max_at = i;
     finite.push_back(value);
   }
   summary.n = finite.size();
@@ -113,11 +113,11 @@ Summary summarize(const std::vector<double>& values) {
     squares += difference * difference;
   }
   // The mean of equal values is that value.
-  summary.mean = std::clamp(first + differences / n, summary.least, summary.most);
+  summary.mean = std::clamp(first + differences / n, summary.min, summary.max);
   if (finite.size() > 1) {
     const double variance = (squares - differences * differences / n) / (n - 1.0);
     summary.standard_deviation =
-        summary.least == summary.most ? 0.0 : std::sqrt(std::max(variance, 0.0));
+        summary.min == summary.max ? 0.0 : std::sqrt(std::max(variance, 0.0));
     const double half =
         student_quantile(finite.size()) * summary.standard_deviation / std::sqrt(n);
     summary.mean_interval = {summary.mean - half, summary.mean + half};
@@ -163,7 +163,7 @@ std::optional<std::size_t> needed_runs(const Summary& summary,
   };
   // Student's quantile is larger than the normal one, which gives a lower bound.
   const double bound = std::pow(normal_quantile() * s / half, 2);
-  if (!(bound < static_cast<double>(most_needed)))
+  if (!(bound < static_cast<double>(max_needed)))
     return std::nullopt;
   std::size_t low = std::max<std::size_t>(static_cast<std::size_t>(bound), 2);
   if (enough(low) && low == 2)

@@ -65,8 +65,8 @@ struct Summary {
   Interval mean_interval;
   Quantile low{0.05, no_number, {}}, median{0.5, no_number, {}},
       high{0.95, no_number, {}};
-  double least = no_number, most = no_number;
-  std::size_t least_at = 0, most_at = 0;  ///< indices in the sample, of the first ones
+  double min = no_number, max = no_number;
+  std::size_t min_at = 0, max_at = 0;  ///< indices in the sample, of the first ones
 };
 
 /// Computes mean and standard deviation in two passes: the second one sums the

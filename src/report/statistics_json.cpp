@@ -44,8 +44,8 @@ Json summary_json(const Summary& s) {
           {"p5", quantile_json(s.low)},
           {"p50", quantile_json(s.median)},
           {"p95", quantile_json(s.high)},
-          {"min", number(s.least)},
-          {"max", number(s.most)}};
+          {"min", number(s.min)},
+          {"max", number(s.max)}};
 }
 
 Json column_json(const Ensemble& ensemble, std::size_t c, const ColumnStatistics& s) {
@@ -61,8 +61,8 @@ Json column_json(const Ensemble& ensemble, std::size_t c, const ColumnStatistics
     return json;
   }
   json.update(summary_json(s.summary));
-  json["min_seed"] = s.summary.n > 0 ? seed_json(ensemble, s.least_row) : Json();
-  json["max_seed"] = s.summary.n > 0 ? seed_json(ensemble, s.most_row) : Json();
+  json["min_seed"] = s.summary.n > 0 ? seed_json(ensemble, s.min_row) : Json();
+  json["max_seed"] = s.summary.n > 0 ? seed_json(ensemble, s.max_row) : Json();
   json["runs_needed"] = s.needed ? Json(*s.needed) : Json();
   return json;
 }

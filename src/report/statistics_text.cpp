@@ -12,8 +12,8 @@ namespace blocks::report {
 std::string statistics_text(const Ensemble& ensemble, const Analysis& analysis) {
   std::string text = ensemble.title.empty() ? "" : ensemble.title + '\n';
   text += sweep_words(ensemble) + '\n';
-  constexpr std::size_t most_groups = 20;
-  for (std::size_t g = 0; g < std::min(ensemble.groups.size(), most_groups); ++g) {
+  constexpr std::size_t max_groups = 20;
+  for (std::size_t g = 0; g < std::min(ensemble.groups.size(), max_groups); ++g) {
     const GroupStatistics& group = analysis.groups[g];
     const std::string name = ensemble.name_of(ensemble.groups[g]);
     text +=
@@ -41,9 +41,9 @@ std::string statistics_text(const Ensemble& ensemble, const Analysis& analysis) 
     }
     text += text::aligned(rows, 1);
   }
-  if (ensemble.groups.size() > most_groups)
+  if (ensemble.groups.size() > max_groups)
     text += fmt::format("\nand {} more groups, which -o table.csv lists\n",
-                        ensemble.groups.size() - most_groups);
+                        ensemble.groups.size() - max_groups);
   return text + sensitivity_text(ensemble, analysis.sensitivities);
 }
 

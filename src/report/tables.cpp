@@ -57,11 +57,10 @@ std::string quantity_row(const Ensemble& ensemble, const Column& column,
     line += std::string(15, ',');
   } else {
     add_quantiles(line, s);
-    line +=
-        fmt::format(",{},{},{},{},{},", cell(s.least),
-                    s.n > 0 ? seed_cell(ensemble, found.least_row) : "", cell(s.most),
-                    s.n > 0 ? seed_cell(ensemble, found.most_row) : "",
-                    found.needed ? std::to_string(*found.needed) : "");
+    line += fmt::format(",{},{},{},{},{},", cell(s.min),
+                        s.n > 0 ? seed_cell(ensemble, found.min_row) : "", cell(s.max),
+                        s.n > 0 ? seed_cell(ensemble, found.max_row) : "",
+                        found.needed ? std::to_string(*found.needed) : "");
   }
   return line + '\n';
 }
@@ -73,7 +72,7 @@ std::string difference_row(const Ensemble& ensemble, const Column& column,
                   csv_cell(column.unit), s.n, cell(s.mean), cell(s.mean_interval.low),
                   cell(s.mean_interval.high), cell(s.standard_deviation));
   add_quantiles(line, s);
-  return line + fmt::format(",{},,{},,,{}\n", cell(s.least), cell(s.most),
+  return line + fmt::format(",{},,{},,,{}\n", cell(s.min), cell(s.max),
                             csv_cell(ensemble.name_of(ensemble.groups[reference])));
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// Returns "1 to 20" or "1, 3, 5 to 9" of ascending numbers.
 std::string ranges(const std::set<std::uint64_t>& numbers) {
-  constexpr int most_ranges = 6;
+  constexpr int max_ranges = 6;
   std::string text;
   int count = 0;
   for (auto at = numbers.begin(); at != numbers.end();) {
@@ -23,7 +23,7 @@ std::string ranges(const std::set<std::uint64_t>& numbers) {
     std::uint64_t last = first;
     while (++at != numbers.end() && *at == last + 1)
       last = *at;
-    if (++count > most_ranges)
+    if (++count > max_ranges)
       return text + fmt::format(" ... {}", *numbers.rbegin());
     text += text.empty() ? "" : ", ";
     text +=
@@ -94,12 +94,12 @@ std::string sweep_words(const Ensemble& ensemble) {
       axes.push_back(fmt::format("Sobol design of {} rows, {}", member.plan.sobol->rows,
                                  sweep::words_of(*member.plan.sobol)));
   for (std::size_t p = 0; p < ensemble.parameters.size(); ++p) {
-    constexpr std::size_t most_values = 8;
+    constexpr std::size_t max_values = 8;
     std::vector<std::string> values;
     for (const Group& group : ensemble.groups)
       if (std::find(values.begin(), values.end(), group.values[p]) == values.end())
         values.push_back(group.values[p]);
-    if (values.size() > most_values)
+    if (values.size() > max_values)
       axes.push_back(fmt::format("{} = {} ... {} ({} values)", ensemble.parameters[p],
                                  values.front(), values.back(), values.size()));
     else

@@ -88,7 +88,7 @@ class Comparison {
     const double sine = std::sin(scene.uncut->sharpest);
     energy_lever_ = std::max(1.0, 0.5 / sine);
     load_lever_ = std::max(1.0, 0.5 / (sine * sine));
-    at_start_ = least_shift(whole_.run.outline(), domain_) + gaps();
+    at_start_ = min_shift(whole_.run.outline(), domain_) + gaps();
     // Both runs have the same time step, although the pieces have other masses.
     cut_.run.model.time_step.dt = whole_.run.model.time_step.dt;
     last_ = whole_.run.place();
@@ -143,12 +143,12 @@ class Comparison {
   }
   /// P2: the block is in the domain by no more than its energy and load explain.
   void test_fall(Observed& observed, long k) const {
-    const double depth = least_shift(observed.run.outline(), domain_);
-    const double most = explained(observed.run) + yielded_;
-    if (observed.fall.is_worse(depth, most))
+    const double depth = min_shift(observed.run.outline(), domain_);
+    const double max = explained(observed.run) + yielded_;
+    if (observed.fall.is_worse(depth, max))
       observed.fall.text =
           fmt::format("P2: at step {} in the {} domain by {:.3g}, explained {:.3g}",
-                      k + 1, observed.domain, in_sizes(depth), in_sizes(most));
+                      k + 1, observed.domain, in_sizes(depth), in_sizes(max));
   }
   /// P3: no contact is deeper than twice the shift that frees the block. `before` is
   /// the outline of the block at which the contacts were decided.
@@ -159,7 +159,7 @@ class Comparison {
     const double depth = run.deepest_contact();
     if (depth <= slack)
       return;
-    const double shift = most_shift(before, domain_);
+    const double shift = max_shift(before, domain_);
     if (observed.too_deep.is_worse(depth, 2.0 * shift + slack))
       observed.too_deep.text = fmt::format(
           "P3: at step {} in the {} domain a contact {:.3g} deep, but a shift of "
@@ -225,12 +225,12 @@ class Comparison {
     double widest = 0.0;
     for (std::size_t i = 0; i < cut_.path.size(); ++i) {
       widest = std::max(widest, spread[i]);
-      const double most = free_[i] + spread_factor * widest;
-      if (difference_.is_worse(nearest[i], most))
+      const double max = free_[i] + spread_factor * widest;
+      if (difference_.is_worse(nearest[i], max))
         difference_.text = fmt::format(
             "P1: at step {} {:.3g} apart, explained {:.3g}",
             std::min(steps_, static_cast<long>(i + 1) * steps_between_looks),
-            in_sizes(nearest[i]), in_sizes(most));
+            in_sizes(nearest[i]), in_sizes(max));
     }
   }
   Outcome outcome() const {

@@ -49,13 +49,13 @@ double BlockRun::arm_of(int block) const {
 }
 
 double BlockRun::yielding() const {
-  double most = 0.0;
+  double max = 0.0;
   for (int b = 0; b < moving_; ++b)
     if (model.blocks.is_free(b))
-      most = std::max(
-          most, distance_apart({model.blocks.centroid.col(b), model.blocks.angle[b]},
-                               {start_.col(b), 0.0}, arm_of(b)));
-  return most;
+      max = std::max(
+          max, distance_apart({model.blocks.centroid.col(b), model.blocks.angle[b]},
+                              {start_.col(b), 0.0}, arm_of(b)));
+  return max;
 }
 
 double BlockRun::deepest_contact() const {

@@ -38,8 +38,8 @@ using Surface = std::vector<Vec2>;  ///< from left to right, without the two end
 /// A V with its bottom at the origin.
 Surface draw_notch(Draws& draw, double low, double high) {
   const double half = draw.between(low, high);
-  const double most = std::min({10.0, half - 8.0, 84.0 - half});
-  const double tilt = draw.below(2) == 0 ? 0.0 : draw.between(-most, most);
+  const double max = std::min({10.0, half - 8.0, 84.0 - half});
+  const double tilt = draw.below(2) == 0 ? 0.0 : draw.between(-max, max);
   const double left = in_radians(half + tilt), right = in_radians(half - tilt);
   const double a = draw.between(0.7, 1.6), b = draw.between(0.7, 1.6);
   return {{-a * std::sin(left), a * std::cos(left)},
@@ -97,18 +97,18 @@ Surface draw_surface(Draws& draw, const std::string& kind) {
 bool is_sound(const geometry::Split& split) {
   return split.fault == geometry::SplitFault::none &&
          std::all_of(split.pieces.begin(), split.pieces.end(), [](const auto& piece) {
-           return narrowest_width(piece.outline) >= least_width &&
-                  sharpest_angle(piece.outline) >= least_angle;
+           return narrowest_width(piece.outline) >= min_width &&
+                  sharpest_angle(piece.outline) >= min_angle;
          });
 }
 
 /// The sharpest re-entrant corner.
 Vec2 sharpest_corner(const CutDomain& domain) {
   std::size_t found = 0;
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < domain.outline.size(); ++i)
-    if (const double angle = interior_angle(domain.outline, i); angle > most)
-      most = angle, found = i;
+    if (const double angle = interior_angle(domain.outline, i); angle > max)
+      max = angle, found = i;
   return domain.outline[found];
 }
 
@@ -164,7 +164,7 @@ bool cut_pieces(CutDomain& domain, const Vec2& start, const Vec2& along,
   for (Polygon& piece : domain.pieces) {
     if (continues || is_on_border(start, piece)) {
       geometry::Split split =
-          geometry::split_outline(piece, {start, along, least_width}, 0.0);
+          geometry::split_outline(piece, {start, along, min_width}, 0.0);
       if (is_sound(split)) {
         has_cut = true;
         for (geometry::SplitPiece& half : split.pieces)
@@ -243,8 +243,8 @@ CutDomain draw_domain(Draws& draw, const std::string& kind) {
 }
 
 void cut_domain(Draws& draw, int joints, CutDomain& domain) {
-  constexpr int most_attempts = 40;
-  for (int attempt = 0; attempt < most_attempts && domain.joints < joints; ++attempt) {
+  constexpr int max_attempts = 40;
+  for (int attempt = 0; attempt < max_attempts && domain.joints < joints; ++attempt) {
     const Vec2 start = draw_start(draw, domain);
     const Vec2 along = draw_direction(draw, domain);
     const bool continues = draw.below(10) < 6;
@@ -283,22 +283,21 @@ int surface_side(const CutDomain& domain, const Vec2& point) {
 
 double narrowest_width(const Polygon& piece) {
   const std::size_t n = piece.size();
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i) {
-    least = std::min(least, (piece[(i + 1) % n] - piece[i]).norm());
+    min = std::min(min, (piece[(i + 1) % n] - piece[i]).norm());
     for (std::size_t c = 0; c < n; ++c)
       if (c != i && c != (i + 1) % n)
-        least =
-            std::min(least, distance_to_side(piece[c], piece[i], piece[(i + 1) % n]));
+        min = std::min(min, distance_to_side(piece[c], piece[i], piece[(i + 1) % n]));
   }
-  return least;
+  return min;
 }
 
 double sharpest_angle(const Polygon& piece) {
-  double least = 2.0 * pi;
+  double min = 2.0 * pi;
   for (std::size_t i = 0; i < piece.size(); ++i)
-    least = std::min(least, interior_angle(piece, i));
-  return least * 180.0 / pi;
+    min = std::min(min, interior_angle(piece, i));
+  return min * 180.0 / pi;
 }
 
 }  // namespace blocks::study

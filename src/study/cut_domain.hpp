@@ -14,8 +14,8 @@ using geometry::Polygon;
 using geometry::Vec2;
 
 /// The size of the moving blocks is 1, so all lengths are in block sizes.
-inline constexpr double least_width = 0.05;  ///< of a piece, see narrowest_width
-inline constexpr double least_angle = 10.0;  ///< of a corner of a piece, degrees
+inline constexpr double min_width = 0.05;  ///< of a piece, see narrowest_width
+inline constexpr double min_angle = 10.0;  ///< of a corner of a piece, degrees
 
 /// A fixed domain and the pieces into which joints cut it.
 struct CutDomain {

@@ -45,10 +45,10 @@ class Sheet {
   }
 
   static double panel_height(const std::vector<Study>& studies) {
-    std::size_t most = 0;
+    std::size_t max = 0;
     for (const Study& study : studies)
-      most = std::max(most, study.rows.size());
-    return head + line * static_cast<double>(most) + foot;
+      max = std::max(max, study.rows.size());
+    return head + line * static_cast<double>(max) + foot;
   }
 
  private:

@@ -94,7 +94,7 @@ double free_shift(const Polygon& block, const Domain& domain, const Vec2& direct
   return shift;
 }
 
-double least_shift(const Polygon& block, const Domain& domain) {
+double min_shift(const Polygon& block, const Domain& domain) {
   constexpr int points = 8;  // of a side of the block
   double deepest = 0.0;
   for (std::size_t i = 0; i < block.size(); ++i)
@@ -108,11 +108,11 @@ double least_shift(const Polygon& block, const Domain& domain) {
   return deepest;
 }
 
-double most_shift(const Polygon& block, const Domain& domain) {
-  double least = infinite;
+double max_shift(const Polygon& block, const Domain& domain) {
+  double min = infinite;
   const auto attempt = [&](const Vec2& direction) {
     if (direction.squaredNorm() > 0.0)
-      least = std::min(least, free_shift(block, domain, direction.normalized()));
+      min = std::min(min, free_shift(block, domain, direction.normalized()));
   };
   for (std::size_t i = 0; i < block.size(); ++i)
     attempt(-outward(block, i));
@@ -122,7 +122,7 @@ double most_shift(const Polygon& block, const Domain& domain) {
     attempt(normal);
     attempt(normal + outward(domain.outline, (i + n - 1) % n));
   }
-  return least;
+  return min;
 }
 
 }  // namespace blocks::study

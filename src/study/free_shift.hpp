@@ -29,10 +29,10 @@ double free_shift(const Polygon& block, const Domain& domain, const Vec2& direct
 /// from the domain, [L]. It is the largest distance of a point of one outline that is
 /// inside the other one from the border of the other one. Points are the corners of
 /// both and points along the sides of the block.
-double least_shift(const Polygon& block, const Domain& domain);
+double min_shift(const Polygon& block, const Domain& domain);
 
 /// Returns an upper bound of that length, [L]: the shortest of the free shifts along
 /// the normals of both outlines and along the bisectors of the domain's corners.
-double most_shift(const Polygon& block, const Domain& domain);
+double max_shift(const Polygon& block, const Domain& domain);
 
 }  // namespace blocks::study

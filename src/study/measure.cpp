@@ -61,8 +61,8 @@ bool passes_through(const Scene& scene, double scale, const Blocks& blocks,
     const auto before = at_start.find(pair);
     const Shared then = before == at_start.end() ? Shared() : before->second;
     const double smaller = std::min(blocks.area[pair.first], blocks.area[pair.second]);
-    if (shared.area - then.area > scene.most_shared * smaller ||
-        shared.depth - then.depth > scene.most_depth * scale)
+    if (shared.area - then.area > scene.max_shared * smaller ||
+        shared.depth - then.depth > scene.max_depth * scale)
       return true;
   }
   return false;
@@ -118,7 +118,7 @@ void judge_end(const Scene& scene, const Frame& frame, const Model& model,
   const double gravity = scene.model.settings.gravity.norm();
   if (!std::isnan(outcome.speed_lost)) {
     outcome.could_hang = true;
-    outcome.hung |= outcome.speed_lost > scene.most_lost;
+    outcome.hung |= outcome.speed_lost > scene.max_lost;
   }
   for (int b = 0; b < model.blocks.size(); ++b) {
     if (!model.blocks.is_free(b))
@@ -126,23 +126,23 @@ void judge_end(const Scene& scene, const Frame& frame, const Model& model,
     const Vec2 moved =
         frame.back(Vec2(model.blocks.centroid.col(b)) - Vec2(start.col(b)));
     const Vec2 way = expected.col(b);
-    if (way.norm() > scene.least_way * scene.size) {
+    if (way.norm() > scene.min_way * scene.size) {
       outcome.could_hang = true;
-      outcome.hung |= !(moved.dot(way) >= scene.least_share * way.squaredNorm());
+      outcome.hung |= !(moved.dot(way) >= scene.min_share * way.squaredNorm());
     }
     if (scene.mean_speed && way.squaredNorm() > 0.0) {
       const double lost = std::abs(1.0 - moved.dot(way) / way.squaredNorm());
       outcome.speed_lost = std::fmax(outcome.speed_lost, lost);
       outcome.could_hang = true;
-      outcome.hung |= !(lost <= scene.most_lost);
+      outcome.hung |= !(lost <= scene.max_lost);
     }
-    if (std::isfinite(scene.most_astray)) {
+    if (std::isfinite(scene.max_astray)) {
       outcome.could_hang = true;
-      outcome.hung |= !((moved - way).norm() <= scene.most_astray);
+      outcome.hung |= !((moved - way).norm() <= scene.max_astray);
     }
     if (gravity > 0.0) {
       const double sunk = scene.model.settings.gravity.dot(moved - way) / gravity;
-      outcome.fell_through |= !(sunk <= scene.most_sinking * scene.size);
+      outcome.fell_through |= !(sunk <= scene.max_sinking * scene.size);
     }
   }
 }
@@ -231,16 +231,16 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
   const SharedByPair shared_at_start = shared_by_pair(model.blocks);
   const double energy_at_start = total_energy(model, start);
   // An unstable run suddenly gains much energy; a run at rest gains only round-off.
-  const double most_gained = keeps_books(model)
-                                 ? energy_scale(scene)
-                                 : std::numeric_limits<double>::infinity();
+  const double max_gained = keeps_books(model)
+                                ? energy_scale(scene)
+                                : std::numeric_limits<double>::infinity();
   std::string doubt;
   for (long k = 0; k < steps && doubt.empty(); ++k) {
     run->find(model, work);
     if (!run->step(model, work).finite)
       doubt = fmt::format("is unsound: numbers are not finite after step {}", k + 1);
-    else if (total_energy(model, start) - energy_at_start > most_gained &&
-             most_gained > 0.0)
+    else if (total_energy(model, start) - energy_at_start > max_gained &&
+             max_gained > 0.0)
       doubt = fmt::format("is unsound: by step {} it has gained more energy than its "
                           "blocks had",
                           k + 1);
@@ -249,7 +249,7 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
       doubt =
           fmt::format("lets two blocks overlap by more than {:g} % of the smaller one "
                       "by step {}",
-                      100.0 * scene.most_shared, k + 1);
+                      100.0 * scene.max_shared, k + 1);
   }
   const Eigen::Matrix2Xd moved = model.blocks.centroid - start;
   scene.expected = [moved](long, double) { return moved; };

@@ -93,12 +93,12 @@ std::string text_of(const Reason& reason) {
 
 /// What failed in the first frames that failed, and the counts of each kind of frame.
 std::string reasons_and_kinds(const Row& row) {
-  constexpr std::size_t most = 10;
+  constexpr std::size_t max = 10;
   std::string out;
-  for (std::size_t i = 0; i < std::min(most, row.reasons.size()); ++i)
+  for (std::size_t i = 0; i < std::min(max, row.reasons.size()); ++i)
     out += text_of(row.reasons[i]) + '\n';
-  if (row.reasons.size() > most)
-    out += fmt::format("... and {} more\n", row.reasons.size() - most);
+  if (row.reasons.size() > max)
+    out += fmt::format("... and {} more\n", row.reasons.size() - max);
   if (row.kinds.size() < 2)
     return out;
   std::vector<std::vector<std::string>> table = {

@@ -112,8 +112,8 @@ Scene scene_of_deck(const std::string& name, const Model& model) {
       area += model.blocks.area[b], ++count;
   scene.size = count > 0 ? std::sqrt(area / count) : 1.0;
   scene.known_motion = false;
-  scene.least_share = 0.5, scene.least_way = 0.5;
-  scene.most_sinking = 0.5;
+  scene.min_share = 0.5, scene.min_way = 0.5;
+  scene.max_sinking = 0.5;
   scene.conservative = false;
   return scene;
 }

@@ -47,25 +47,25 @@ struct Scene {
   bool known_motion = true;  ///< `expected` holds at every step, not only at the end
   /// A block hangs if it falls behind its expected speed by more than this share of the
   /// fastest expected speed. It has then snagged, even if it moves far in total.
-  double most_lost = 0.05;
-  /// A block hangs if it moves by less than least_share of its expected displacement.
-  /// This is tested if that displacement is longer than least_way, in units of the
+  double max_lost = 0.05;
+  /// A block hangs if it moves by less than min_share of its expected displacement.
+  /// This is tested if that displacement is longer than min_way, in units of the
   /// size.
-  double least_share = 0.9, least_way = 0.05;
+  double min_share = 0.9, min_way = 0.05;
   /// A block has lost its support if it sinks along gravity by this much more than
   /// expected, in units of the size.
-  double most_sinking = 0.05;
+  double max_sinking = 0.05;
   bool conservative = false;  ///< no friction, no damping: energy is conserved
   /// Two blocks have passed through each other if they share more than this part of the
   /// smaller one.
-  double most_shared = 0.02;
+  double max_shared = 0.02;
   /// They also have if only a shift longer than this can separate them, [L].
-  double most_depth = std::numeric_limits<double>::infinity();
+  double max_depth = std::numeric_limits<double>::infinity();
   /// The number of times that overlaps are measured, evenly spread, the last time at
   /// the end.
   long looks = 4;
   /// A block hangs if it ends farther than this from its expected position, [L].
-  double most_astray = std::numeric_limits<double>::infinity();
+  double max_astray = std::numeric_limits<double>::infinity();
   /// If set, the lost speed is that of the mean speed from start to end, and a gain
   /// counts as a loss. This suits motions whose phase may differ.
   bool mean_speed = false;

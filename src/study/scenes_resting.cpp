@@ -81,10 +81,10 @@ Scene terrain(Draws& draw) {
   draft.gravity(0, -g);
   Scene scene = draft.rests(1.0);
   scene.known_motion = false;
-  scene.most_sinking = 2.5;
+  scene.max_sinking = 2.5;
   scene.looks = 60;
-  scene.most_shared = 1.0;
-  scene.most_depth = 0.063;
+  scene.max_shared = 1.0;
+  scene.max_depth = 0.063;
   return scene;
 }
 

@@ -72,7 +72,7 @@ Scene sunken(const char* name, const char* what, double stiffness, double share,
   SceneBuilder draft(name, what, steps);
   draft.stiffness(stiffness);
   Scene scene = braked(draft, 0.1, 20);
-  scene.most_shared = scene.most_sinking = 2.5 * share;
+  scene.max_shared = scene.max_sinking = 2.5 * share;
   return scene;
 }
 

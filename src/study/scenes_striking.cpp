@@ -99,7 +99,7 @@ Scene bounces(SceneBuilder draft, double stiffness, const Impact& impact) {
                 impact.speed * (t - std::numbers::pi * time) - 2.0 * gap);
   });
   scene.known_motion = false;  // known at the end only
-  scene.most_astray = 2.0 * gap;
+  scene.max_astray = 2.0 * gap;
   return scene;
 }
 
@@ -140,12 +140,12 @@ geometry::Polygon shifted(geometry::Polygon outline, const Vec2& by) {
 /// A triangle around the origin with corners on a circle and with no angle below 4
 /// degrees.
 geometry::Polygon random_triangle(Draws& draw, double radius) {
-  constexpr double least = 8.0;  // an arc is twice its inscribed angle
+  constexpr double min = 8.0;  // an arc is twice its inscribed angle
   while (true) {
     std::array<double, 3> at = {draw.between(0, 360), draw.between(0, 360),
                                 draw.between(0, 360)};
     std::sort(at.begin(), at.end(), std::greater<>());  // clockwise
-    if (at[0] - at[1] < least || at[1] - at[2] < least || at[2] + 360 - at[0] < least)
+    if (at[0] - at[1] < min || at[1] - at[2] < min || at[2] + 360 - at[0] < min)
       continue;
     geometry::Polygon outline;
     for (const double angle : at)
@@ -181,10 +181,10 @@ double clearance(const geometry::Polygon& one, const geometry::Polygon& other) {
 
 /// The height of the lowest corner (sign = -1) or the highest one (1), as sign times y.
 double extent(const geometry::Polygon& outline, double sign) {
-  double most = sign * outline[0].y();
+  double max = sign * outline[0].y();
   for (const Vec2& p : outline)
-    most = std::max(most, sign * p.y());
-  return most;
+    max = std::max(max, sign * p.y());
+  return max;
 }
 
 }  // namespace
@@ -228,8 +228,8 @@ Scene triangles(Draws& draw) {
   Scene scene = draft.rests(1.0);
   scene.known_motion = false;
   scene.looks = 50;
-  scene.most_shared = 1.0;
-  scene.most_depth = std::sqrt(2.0 * totals(draft.model()).kinetic_energy / stiffness);
+  scene.max_shared = 1.0;
+  scene.max_depth = std::sqrt(2.0 * totals(draft.model()).kinetic_energy / stiffness);
   return scene;
 }
 

@@ -45,11 +45,11 @@ Scene columns_on(SceneBuilder draft, Draws& draw) {
   Scene scene = draft.rests(1.0);
   scene.known_motion = false;
   if (!topples) {
-    scene.most_sinking = 0.02;
+    scene.max_sinking = 0.02;
     return scene;
   }
-  scene.least_share = 0.3;
-  scene.most_sinking = 1.0;
+  scene.min_share = 0.3;
+  scene.max_sinking = 1.0;
   const int n = draft.model().blocks.size();
   scene.expected = [excess, first, n](long k, double dt) {
     const double angle = -turned(excess, static_cast<double>(k) * dt);

@@ -119,9 +119,9 @@ std::string options_again(const StudyChoice& choice) {
 /// chosen offset is kept.
 Frame frame_of(const Scene& scene, const FrameChoice& choice, int number) {
   Frame frame = random_frame(choice, number, scene.size);
-  const double most = scene.farthest * scene.size * frame.scale;
-  if (!choice.offset && frame.offset.norm() > 1.001 * most)
-    frame.offset *= most / frame.offset.norm();
+  const double max = scene.farthest * scene.size * frame.scale;
+  if (!choice.offset && frame.offset.norm() > 1.001 * max)
+    frame.offset *= max / frame.offset.norm();
   return frame;
 }
 

@@ -21,7 +21,7 @@ std::uint64_t parse_seed(const std::string& text) {
 }
 
 [[noreturn]] void refuse_number_of_runs() {
-  throw AxisFault(fmt::format("a sweep has at most {} runs", most_runs),
+  throw AxisFault(fmt::format("a sweep has at most {} runs", max_runs),
                   "make several sweeps, each with some of the seeds");
 }
 
@@ -109,7 +109,7 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
     if (last < first)
       throw AxisFault(fmt::format("the seeds {} end before they begin", trimmed(part)),
                       fmt::format("write them as {}-{}", last, first));
-    if (last - first >= most_runs || seeds.size() + (last - first) >= most_runs)
+    if (last - first >= max_runs || seeds.size() + (last - first) >= max_runs)
       refuse_number_of_runs();
     for (std::uint64_t seed = first; seed <= last; ++seed)
       seeds.push_back(seed);
@@ -191,7 +191,7 @@ std::vector<Variation> parse_table(const std::string& text) {
   if (runs.empty())
     throw AxisFault("the table of parameters has no runs",
                     "write one line per run below the names of the columns");
-  if (runs.size() > most_runs)
+  if (runs.size() > max_runs)
     refuse_number_of_runs();
   return runs;
 }
@@ -207,7 +207,7 @@ std::vector<Variation> combine(const std::vector<Variation>& rows,
     if (!fields.insert(axis.field).second)
       throw AxisFault(fmt::format("the field {} is given twice", axis.field),
                       "give all its values in one place");
-    if (runs.size() * axis.values.size() > most_runs)
+    if (runs.size() * axis.values.size() > max_runs)
       refuse_number_of_runs();
     std::vector<Variation> more;
     for (const Variation& run : runs)
@@ -221,7 +221,7 @@ std::vector<Variation> combine(const std::vector<Variation>& rows,
     if (runs.front().seed)
       throw AxisFault("the seeds are given twice",
                       "give them by --seeds or in the column seed of the table");
-    if (runs.size() * seeds.size() > most_runs)
+    if (runs.size() * seeds.size() > max_runs)
       refuse_number_of_runs();
     std::vector<Variation> more;
     more.reserve(runs.size() * seeds.size());

@@ -10,7 +10,7 @@
 namespace blocks::sweep {
 
 /// The largest number of runs of one sweep.
-constexpr std::size_t most_runs = 1'000'000;
+constexpr std::size_t max_runs = 1'000'000;
 constexpr std::uint64_t largest_seed = 9007199254740991ULL;  // 2^53 - 1
 
 /// A parameter that is not written as it must be; `hint` says what to do next.
@@ -41,7 +41,7 @@ std::string trimmed(const std::string& text);
 bool is_field(const std::string& name);
 
 /// Reads seeds: "1-200,250". Throws AxisFault unless they are whole numbers from 0 to
-/// 2^53 - 1, all different, at most most_runs of them.
+/// 2^53 - 1, all different, at most max_runs of them.
 std::vector<std::uint64_t> parse_seeds(const std::string& text);
 
 /// Reads "CARD.field=value,value". Throws AxisFault.
@@ -54,7 +54,7 @@ std::vector<Variation> parse_table(const std::string& text);
 /// Returns all combinations, in this order: by row of the table, by value of the first
 /// axis, of the second ..., by seed. No rows, axes or seeds mean one run of the deck as
 /// it is. Throws AxisFault if a parameter is given twice, two runs are the same, or
-/// there are more than most_runs of them.
+/// there are more than max_runs of them.
 std::vector<Variation> combine(const std::vector<Variation>& rows,
                                const std::vector<Axis>& axes,
                                const std::vector<std::uint64_t>& seeds);

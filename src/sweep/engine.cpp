@@ -162,14 +162,13 @@ class Engine {
 
   /// Makes the packs so large that an array job holds all of them.
   void fit_packs(SlurmChoice& choice) const {
-    const std::size_t most = most_tasks(),
-                      least_pack = (open_.size() + most - 1) / most;
-    if (choice_.pack && *choice_.pack < least_pack)
+    const std::size_t max = max_tasks(), min_pack = (open_.size() + max - 1) / max;
+    if (choice_.pack && *choice_.pack < min_pack)
       throw std::runtime_error(
           fmt::format("an array job of this cluster has at most {} tasks, so {} runs "
                       "need --pack {} or more\n  hint: without --pack, it is chosen",
-                      most, open_.size(), least_pack));
-    choice.pack = std::max(choice.pack, least_pack);
+                      max, open_.size(), min_pack));
+    choice.pack = std::max(choice.pack, min_pack);
   }
 
   void tell_counts() const {

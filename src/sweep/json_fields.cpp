@@ -41,10 +41,10 @@ double read_number(const Json& json, const char* key) {
   return value.get<double>();
 }
 
-std::uint64_t read_whole_number(const Json& json, const char* key, std::uint64_t most) {
+std::uint64_t read_whole_number(const Json& json, const char* key, std::uint64_t max) {
   const Json& value = find_field(json, key);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most)
-    refuse(key, value, fmt::format("a whole number from 0 to {}", most));
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > max)
+    refuse(key, value, fmt::format("a whole number from 0 to {}", max));
   return value.get<std::uint64_t>();
 }
 

@@ -17,9 +17,9 @@ const nlohmann::ordered_json& find_field(const nlohmann::ordered_json& json,
 std::string read_text(const nlohmann::ordered_json& json, const char* key);
 /// A number.
 double read_number(const nlohmann::ordered_json& json, const char* key);
-/// A whole number from 0 to `most`.
+/// A whole number from 0 to `max`.
 std::uint64_t read_whole_number(const nlohmann::ordered_json& json, const char* key,
-                                std::uint64_t most);
+                                std::uint64_t max);
 /// A list.
 const nlohmann::ordered_json& read_list(const nlohmann::ordered_json& json,
                                         const char* key);

@@ -66,8 +66,8 @@ class LocalEngine {
   std::size_t runs_per_worker() const {
     if (plan_.kind == Kind::run)
       return 1;
-    const std::size_t most = 64, shares = 4 * static_cast<std::size_t>(choice_.jobs);
-    return std::clamp<std::size_t>(queue_.size() / shares, 1, most);
+    const std::size_t max = 64, shares = 4 * static_cast<std::size_t>(choice_.jobs);
+    return std::clamp<std::size_t>(queue_.size() / shares, 1, max);
   }
 
   void start_workers() {
@@ -133,8 +133,8 @@ class LocalEngine {
   bool take_over() {
     using namespace std::chrono_literals;
     constexpr auto pause = 100ms;
-    constexpr int most_tries = 100;
-    if (stops() || elsewhere_.empty() || ++tries_ > most_tries)
+    constexpr int max_tries = 100;
+    if (stops() || elsewhere_.empty() || ++tries_ > max_tries)
       return false;
     std::this_thread::sleep_for(pause);
     queue_.assign(elsewhere_.begin(), elsewhere_.end());

@@ -56,13 +56,13 @@ Json json_of(const SobolDesign& design) {
 
 SobolDesign design_of(const Json& json) {
   SobolDesign design;
-  design.rows = read_whole_number(json, "rows", most_runs);
+  design.rows = read_whole_number(json, "rows", max_runs);
   design.seed = read_whole_number(json, "seed", largest_seed);
   for (const Json& one : read_list(json, "ranges"))
     design.ranges.push_back(
         {read_text(one, "field"), read_number(one, "low"), read_number(one, "high")});
   if (design.rows < 2 || design.ranges.empty() ||
-      design.ranges.size() > most_sobol_parameters)
+      design.ranges.size() > max_sobol_parameters)
     throw std::runtime_error("\"sobol\" is no design");
   return design;
 }
@@ -124,7 +124,7 @@ Plan read_lines(std::istream& in) {
   const Json head =
       Json::parse(line.substr(0, line.size() - end.size()) + "}", nullptr, false);
   Plan plan = plan_of(head);
-  const std::size_t number = read_whole_number(head, "number", most_runs);
+  const std::size_t number = read_whole_number(head, "number", max_runs);
   if (plan.sobol && plan.sobol->runs() != number)
     throw std::runtime_error("its Sobol design has another number of runs");
   plan.runs.reserve(number);

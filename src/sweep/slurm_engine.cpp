@@ -164,7 +164,7 @@ std::string jobs_at_work(const std::string& folder) {
   return text;
 }
 
-std::size_t most_tasks() {
+std::size_t max_tasks() {
   constexpr std::size_t usual = 1000;
   const ProgramEnd config = call_program({"scontrol", "show", "config"});
   const std::string key = "MaxArraySize";

@@ -36,7 +36,7 @@ SlurmJob slurm_job(const std::string& folder, const std::vector<std::size_t>& id
 std::string jobs_at_work(const std::string& folder);
 
 /// Returns the number of tasks that an array of this cluster can have.
-std::size_t most_tasks();
+std::size_t max_tasks();
 
 /// Writes the script and the packs, and submits the job. Returns its number. Throws
 /// std::runtime_error, with a hint, if the cluster refuses it.

@@ -94,10 +94,10 @@ std::vector<SobolRange> parse_sobol(const std::string& text) {
     ranges.push_back(range);
     from = comma + 1;
   }
-  if (ranges.size() > most_sobol_parameters)
+  if (ranges.size() > max_sobol_parameters)
     throw AxisFault(fmt::format("--sobol has {} parameters, but at most {} are "
                                 "possible",
-                                ranges.size(), most_sobol_parameters),
+                                ranges.size(), max_sobol_parameters),
                     "leave out those with little effect");
   return ranges;
 }
@@ -127,11 +127,11 @@ std::vector<Variation> sobol_runs(const SobolDesign& design, const Variation& co
       throw AxisFault(fmt::format("the field {} is given twice", field_of(set)),
                       "give it by --sobol or by --set");
   const std::size_t k = design.ranges.size();
-  if (design.rows > most_runs / design.runs_per_row())
+  if (design.rows > max_runs / design.runs_per_row())
     throw AxisFault(fmt::format("a sweep has at most {} runs, and --sobol with {} "
                                 "parameters makes {} for each row",
-                                most_runs, k, design.runs_per_row()),
-                    fmt::format("give -n {} or less", most_runs / (k + 2)));
+                                max_runs, k, design.runs_per_row()),
+                    fmt::format("give -n {} or less", max_runs / (k + 2)));
   std::vector<Variation> runs;
   runs.reserve(design.runs());
   for (const std::vector<double>& point :

@@ -22,7 +22,7 @@
 namespace blocks::sweep {
 
 /// The most parameters of a design.
-constexpr std::size_t most_sobol_parameters = 8;
+constexpr std::size_t max_sobol_parameters = 8;
 
 /// A field that is uniformly distributed between both ends.
 struct SobolRange {
@@ -33,7 +33,7 @@ struct SobolRange {
 };
 
 struct SobolDesign {
-  std::vector<SobolRange> ranges;  ///< 1 to most_sobol_parameters, all different
+  std::vector<SobolRange> ranges;  ///< 1 to max_sobol_parameters, all different
   std::size_t rows = 0;            ///< N, at least 2
   std::uint64_t seed = 0;          ///< of the digital shift
 
@@ -54,7 +54,7 @@ std::vector<std::vector<double>> sobol_points(std::size_t count, std::size_t dim
                                               std::uint64_t seed);
 
 /// Returns the runs of a design, row by row. `common` is what all runs have. Throws
-/// AxisFault if it sets a field of the design, or there are more than most_runs.
+/// AxisFault if it sets a field of the design, or there are more than max_runs.
 std::vector<Variation> sobol_runs(const SobolDesign& design, const Variation& common);
 
 /// Returns a run at each corner of the box of the parameters. If a deck accepts every

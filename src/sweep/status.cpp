@@ -62,14 +62,14 @@ void reopen_failed_runs(const std::string& folder, const Range& runs) {
 }
 
 std::string status_text(const std::string& folder, const Plan& plan) {
-  constexpr std::size_t most_named = 10;
+  constexpr std::size_t max_named = 10;
   Counts counts;
   std::string failed;
   std::size_t number = 0;
   each_outcome(folder, {1, plan.runs.size()},
                [&](std::size_t id, const std::optional<Outcome>& outcome) {
                  ++counts[status_of(outcome)];
-                 if (!outcome || outcome->code == run::done || ++number > most_named)
+                 if (!outcome || outcome->code == run::done || ++number > max_named)
                    return;
                  const Variation& run = plan.runs[id - 1];
                  failed += fmt::format("  run {}{}{}: {}, exit code {}{}{}\n", id,
@@ -82,9 +82,9 @@ std::string status_text(const std::string& folder, const Plan& plan) {
       fmt::format("{} runs of {}\n{}\n", plan.runs.size(),
                   plan.deck.empty() ? "scenes" : plan.deck, words_of(counts));
   text += failed;
-  if (number > most_named)
+  if (number > max_named)
     text += fmt::format("  and {} more; blocks report {} lists all\n",
-                        number - most_named, run::shell_path(folder));
+                        number - max_named, run::shell_path(folder));
   if (counts.contains("open"))
     text += fmt::format("blocks sweep {} goes on with the open runs\n",
                         run::shell_path(folder));

@@ -155,7 +155,7 @@ struct Branches {
 
 /// The least counts of a test with this many clusters. A branch that is not reached is
 /// not tested.
-const std::map<std::string, int> least_count = {
+const std::map<std::string, int> min_count = {
     {"apart", 10000},
     {"axis acts", 10000},
     {"candidate beyond the end", 10000},
@@ -219,8 +219,8 @@ TEST(ExactPairRule, AgreesWithTheProgramOnRandomClusters) {
   }
   for (const auto& [name, count] : branches.count)
     RecordProperty(std::regex_replace(name, std::regex(" "), "_"), count);
-  for (const auto& [name, least] : least_count)
-    EXPECT_GE(branches.count[name], least) << name;
+  for (const auto& [name, min] : min_count)
+    EXPECT_GE(branches.count[name], min) << name;
 }
 
 }  // namespace

@@ -330,7 +330,7 @@ TEST(Cracks, StopAtTheNumberOfBlocksThatStartAllows) {
 TEST(Cracks, GiveNoPieceBelowTheLeastArea) {
   Model model = shattering({}, false);
   model.settings.crack_rules[1].strength = 1e3;
-  model.settings.crack_rules[1].least_area = 0.3;
+  model.settings.crack_rules[1].min_area = 0.3;
   Motion run(model);
   for (int i = 0; i < 200; ++i)
     run.step();

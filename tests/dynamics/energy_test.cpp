@@ -104,14 +104,14 @@ TEST(Energy, OfAnOscillationIsExchangedWithTheSprings) {
   const double energy = 0.5 * scene.model.blocks.mass[b] * 0.02 * 0.02;
   const double error = of(scene, EnergyEntry::integration);
   const double at_rest = scene.model.energy.elastic;
-  double most = 0.0;
+  double max = 0.0;
   for (int i = 0; i < 1000; ++i) {
     scene.step();
-    most = std::max(most, scene.model.energy.kinetic);
+    max = std::max(max, scene.model.energy.kinetic);
     EXPECT_NEAR(of(scene, EnergyEntry::integration), error, 1e-9 * energy) << i;
   }
   expect_closed(scene.model);
-  EXPECT_NEAR(most, energy, 0.1 * energy);
+  EXPECT_NEAR(max, energy, 0.1 * energy);
   EXPECT_GT(at_rest, 0.0);
   EXPECT_EQ(of(scene, EnergyEntry::transfer), 0.0);
   EXPECT_NEAR(of(scene, EnergyEntry::dashpots), 0.0, 1e-12 * energy);

@@ -47,7 +47,7 @@ TEST(JointLawEnergy, NoLawGivesEnergyThatItHasNotGot) {
     } else if (seed % 3 == 1) {
       contact.law.residual_friction = 0.6;
     }
-    double work = 0.0, turnover = 0.0, least = 0.0;
+    double work = 0.0, turnover = 0.0, min = 0.0;
     constexpr int steps = 200'000;
     for (int i = 0; i < steps; ++i) {
       const double t = 4.0 * i / steps, next = 4.0 * (i + 1) / steps;
@@ -58,10 +58,10 @@ TEST(JointLawEnergy, NoLawGivesEnergyThatItHasNotGot) {
       const double part = 0.5 * (normal + contact.force.normal) * closing +
                           0.5 * (shear + contact.force.shear) * sliding;
       work += part, turnover += std::abs(part);
-      least = std::min(least, work - contact.energy());
+      min = std::min(min, work - contact.energy());
     }
     EXPECT_GT(turnover, 100.0) << seed;
-    EXPECT_GT(least, -2e-5 * turnover) << seed;
+    EXPECT_GT(min, -2e-5 * turnover) << seed;
     EXPECT_GT(work - contact.energy(), 2e-3 * turnover) << seed;
   }
 }

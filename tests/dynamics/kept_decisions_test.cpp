@@ -252,7 +252,7 @@ TEST(KeptDecisions, OfTheExactRuleAreNotKeptForCornersOfTheDeck) {
 TEST(KeptDecisions, OfTheExactRuleEndWhenADepthLeavesItsLimits) {
   Row three;
   const KeptDepth depth{
-      .own_block = 0, .other_block = 1, .side = 2, .least = -1e-8, .most = 3e-8};
+      .own_block = 0, .other_block = 1, .side = 2, .min = -1e-8, .max = 3e-8};
   const auto shifted = [&](double by) {
     for (int corner = 4; corner < 8; ++corner)
       three.model.blocks.corner(0, corner) -= by;

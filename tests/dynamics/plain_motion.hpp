@@ -42,8 +42,8 @@ struct StrainMass {
          factor * (a21 * g[2] + a22 * g[3])};
     trace = m.xx + m.yy;
     const double whole = m.xx * m.yy - m.xy * m.xy;
-    const double least = least_moment_share * (0.5 * (trace * trace));
-    determinant = whole > least ? whole : least;
+    const double min = min_moment_share * (0.5 * (trace * trace));
+    determinant = whole > min ? whole : min;
   }
   Symmetric accelerations(const Symmetric& s) const {
     const double t11 = m.yy * s.xx - m.xy * s.xy, t12 = m.yy * s.xy - m.xy * s.yy;

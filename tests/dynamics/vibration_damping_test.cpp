@@ -140,13 +140,13 @@ std::vector<double> deviations(Scene& scene, int b, int spans) {
   EXPECT_TRUE(scene.model.time_step.elastic);
   std::vector<double> found;
   for (int span = 0; span < spans; ++span) {
-    double most = 0.0;
+    double max = 0.0;
     for (int i = 0; i < 200; ++i) {
       scene.step();
       const auto s = scene.model.blocks.stress.col(b);
-      most = std::max({most, std::abs(s[0] + 1.0), std::abs(s[3] + 1.0)});
+      max = std::max({max, std::abs(s[0] + 1.0), std::abs(s[3] + 1.0)});
     }
-    found.push_back(most);
+    found.push_back(max);
   }
   return found;
 }

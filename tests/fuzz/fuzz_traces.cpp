@@ -21,7 +21,7 @@ using geometry::Polygon;
 using geometry::Vec2;
 using Rational = geometry::testing::Exact;
 
-constexpr std::size_t most_segments = 40, most_points = 30;
+constexpr std::size_t max_segments = 40, max_points = 30;
 
 void require(bool holds) {
   if (!holds)
@@ -150,7 +150,7 @@ void use_traces(std::string_view text) {
   std::vector<geometry::JointSegment> joints;
   for (const exchange::Trace& trace : file.traces)
     for (std::size_t i = 1; i < trace.points.size(); ++i) {
-      if (joints.size() == most_segments)
+      if (joints.size() == max_segments)
         break;
       points.insert(points.end(), {trace.points[i - 1], trace.points[i]});
       joints.push_back({trace.points[i - 1], trace.points[i], trace.joint.value_or(1)});
@@ -173,7 +173,7 @@ void use_points(std::string_view text) {
   require(!file.points.empty());
   geometry::VoronoiRequest request;
   for (const DecimalPoint& point : file.points)
-    if (request.points.size() < most_points)
+    if (request.points.size() < max_points)
       request.points.emplace_back(point.x.value(), point.y.value());
   for (const Domain& domain : domains(file.points))
     for (request.lloyd = 0; request.lloyd < 2; ++request.lloyd)

@@ -98,16 +98,16 @@ TEST(JointSets, DipIsAnticlockwiseFromTheXAxis) {
   }
   set = set_of("30", "1", "2", "1");
   set.dip.deviation = number("5");
-  double least = 90.0, most = 0.0;
+  double min = 90.0, max = 0.0;
   for (const JointSegment& trace : joint_set(set, points(square(40.0)))) {
     const Vec2 d = trace.to.nearest() - trace.from.nearest();
     EXPECT_NEAR(length(trace), 2.0, 1e-12);
     const double dip = std::atan2(d.y(), d.x()) * 180.0 / std::numbers::pi;
-    least = std::min(least, dip);
-    most = std::max(most, dip);
+    min = std::min(min, dip);
+    max = std::max(max, dip);
   }
-  EXPECT_NEAR(least, 25.0, 0.2);
-  EXPECT_NEAR(most, 35.0, 0.2);
+  EXPECT_NEAR(min, 25.0, 0.2);
+  EXPECT_NEAR(max, 35.0, 0.2);
 }
 
 TEST(JointSets, AnotherOutlineOrStreamDoesNotChangeThePieces) {

@@ -20,14 +20,14 @@ const Polygon square = {{0, 0}, {0, 2}, {2, 2}, {2, 0}};
 const Polygon channel = {{0, 0}, {0, 4}, {1, 4}, {1, 1},
                          {3, 1}, {3, 4}, {4, 4}, {4, 0}};
 
-void expect_right(const Polygon& outline, const SplitLine& line, double least_area,
+void expect_right(const Polygon& outline, const SplitLine& line, double min_area,
                   const Split& split) {
-  EXPECT_EQ(validation::judge_split(outline, line, least_area, split), "");
+  EXPECT_EQ(validation::judge_split(outline, line, min_area, split), "");
 }
 
-Split cut(const Polygon& outline, const SplitLine& line, double least_area = 0.0) {
-  Split split = split_outline(outline, line, least_area);
-  expect_right(outline, line, least_area, split);
+Split cut(const Polygon& outline, const SplitLine& line, double min_area = 0.0) {
+  Split split = split_outline(outline, line, min_area);
+  expect_right(outline, line, min_area, split);
   return split;
 }
 
@@ -190,9 +190,9 @@ template <class Law> void for_cases(std::uint64_t count, const Law& law) {
 TEST(SplitOutline, OppositeDirectionSwapsThePieces) {
   int cuts = 0;
   for_cases(200, [&cuts](const validation::SplitCase& k) {
-    const Split split = split_outline(k.outline, k.line, k.least_area);
+    const Split split = split_outline(k.outline, k.line, k.min_area);
     const SplitLine opposite{k.line.point, -k.line.along, k.line.near};
-    const Split other = split_outline(k.outline, opposite, k.least_area);
+    const Split other = split_outline(k.outline, opposite, k.min_area);
     // Of two equally near chords, the other one may be the first.
     if (split.fault != SplitFault::none || other.fault != SplitFault::none ||
         split.ends[0].place != other.ends[1].place)
@@ -214,8 +214,8 @@ TEST(SplitOutline, ScalingByAPowerOfTwoIsExact) {
     for (const Vec2& corner : k.outline)
       outline.push_back(scale * corner);
     const SplitLine line{scale * k.line.point, k.line.along, scale * k.line.near};
-    const Split split = split_outline(k.outline, k.line, k.least_area);
-    const Split scaled = split_outline(outline, line, scale * scale * k.least_area);
+    const Split split = split_outline(k.outline, k.line, k.min_area);
+    const Split scaled = split_outline(outline, line, scale * scale * k.min_area);
     ASSERT_EQ(split.fault, scaled.fault);
     for (const std::size_t i : {0U, 1U}) {
       EXPECT_EQ(Vec2(scale * split.ends[i].place), scaled.ends[i].place);
@@ -229,9 +229,9 @@ TEST(SplitOutline, ScalingByAPowerOfTwoIsExact) {
 TEST(SplitOutline, IsRightForRandomAndAwkwardLines) {
   std::array<int, 4> faults = {};
   for_cases(430, [&faults](const validation::SplitCase& k) {
-    const Split split = split_outline(k.outline, k.line, k.least_area);
+    const Split split = split_outline(k.outline, k.line, k.min_area);
     ++faults[static_cast<std::size_t>(split.fault)];
-    expect_right(k.outline, k.line, k.least_area, split);
+    expect_right(k.outline, k.line, k.min_area, split);
   });
   for (const int count : faults)
     EXPECT_GT(count, 100);  // the cases show every kind of result

@@ -24,14 +24,14 @@ SetNumbers numbers_of(const SetFit& set) {
 /// Fits 50 maps of a case. Every field of every set must be covered in at least 41 of
 /// them: 47.5 are expected, and 41 are 4 deviations less.
 void expect_recovery(const std::string& name) {
-  constexpr int maps = 50, least = 41;
+  constexpr int maps = 50, min = 41;
   for (const validation::RecoveryCase& one : validation::recovery_cases()) {
     if (one.name != name)
       continue;
     const validation::Recovery found = validation::recover(one, maps);
     EXPECT_EQ(found.right, maps);
     for (const validation::RecoveredField& field : found.fields)
-      EXPECT_GE(field.covered, least) << field.name << " of set " << field.set;
+      EXPECT_GE(field.covered, min) << field.name << " of set " << field.set;
     return;
   }
   FAIL() << "no case " << name;

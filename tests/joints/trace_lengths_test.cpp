@@ -69,9 +69,9 @@ class Mean {
   double n_ = 0.0, sum_ = 0.0, squares_ = 0.0;
 };
 
-void expect_mean(const Mean& found, double exact, double most_error,
+void expect_mean(const Mean& found, double exact, double max_error,
                  const std::string& what) {
-  EXPECT_LT(found.error(), most_error * exact) << what;
+  EXPECT_LT(found.error(), max_error * exact) << what;
   EXPECT_NEAR(found.value(), exact, 4.0 * found.error() + 0.01 * exact) << what;
 }
 

@@ -32,7 +32,7 @@ TEST(UniformFit, IntervalsCoverLocationAndScale) {
     int mean = 0, half = 0;
     for (unsigned seed = 1; seed <= samples; ++seed) {
       UniformSample sample;
-      sample.least = -HUGE_VAL;
+      sample.min = -HUGE_VAL;
       for (int i = 0; i < n; ++i)
         sample.values.push_back(5.0 + 2.0 * (2.0 * uniform(seed, i) - 1.0));
       const UniformFit fit = fit_uniform(sample);
@@ -49,7 +49,7 @@ TEST(UniformFit, IntervalsCoverLocationAndScale) {
 TEST(UniformFit, ThreeValuesAgainstTheBetaDistribution) {
   UniformSample sample;
   sample.values = {1.0, 1.4, 2.0};
-  sample.least = -HUGE_VAL;
+  sample.min = -HUGE_VAL;
   const UniformFit fit = fit_uniform(sample);
   const auto probability = [](double half_range) {
     const double x = 1.0 / (2.0 * half_range);

@@ -126,7 +126,7 @@ TEST(SafetyFactor, KnowsTheFactorsThatMayBeNext) {
 TEST(SafetyFactor, DividesAllStrengthsOfJointsAndNothingElse) {
   Settings settings;
   settings.friction = 0.6;
-  settings.crack_rules[1] = {.strength = 5.0, .least_area = 1.0};
+  settings.crack_rules[1] = {.strength = 5.0, .min_area = 1.0};
   JointLaw law{.friction = 0.8, .cohesion = 10.0, .tension = 4.0};
   law.residual_friction = 0.4, law.residual_cohesion = 2.0, law.residual_tension = 1.0;
   law.dilation = 0.3, law.normal_stiffness = 7.0;

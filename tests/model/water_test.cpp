@@ -81,8 +81,8 @@ Resultant by_areas(const Outline& shape, const WaterTable& table, const Vec2& ab
   return sum;
 }
 
-Outline star(std::mt19937& random, int corners, double least) {
-  std::uniform_real_distribution<double> radius(least, 1.0), place(-3.0, 3.0),
+Outline star(std::mt19937& random, int corners, double min) {
+  std::uniform_real_distribution<double> radius(min, 1.0), place(-3.0, 3.0),
       turn(0.0, 2.0 * std::numbers::pi);
   const Vec2 centre(place(random), place(random));
   const double begin = turn(random);

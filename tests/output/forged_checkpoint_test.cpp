@@ -77,7 +77,7 @@ Model full_model() {
                        .poses = 2,
                        .depths = 1}};
   model.kept.depths = {
-      {.own_block = 0, .other_block = 1, .side = 2, .least = -1e-9, .most = 1e-6}};
+      {.own_block = 0, .other_block = 1, .side = 2, .min = -1e-9, .max = 1e-6}};
   model.kept.pieces = {1};
   model.energy.sums.assign(energy_entries, 0.25);
   model.energy.errors.assign(energy_entries, 0.0);
@@ -177,10 +177,10 @@ class Forger {
     } else if constexpr (std::is_same_v<T, std::uint64_t>) {
       return {};  // All seeds are valid.
     } else {
-      constexpr T least = std::numeric_limits<T>::min(),
-                  most = std::numeric_limits<T>::max();
-      return never ? std::vector<T>{least}
-                   : std::vector<T>{most, static_cast<T>(-1), T{0},
+      constexpr T min = std::numeric_limits<T>::min(),
+                  max = std::numeric_limits<T>::max();
+      return never ? std::vector<T>{min}
+                   : std::vector<T>{max, static_cast<T>(-1), T{0},
                                     static_cast<T>(value + 1)};
     }
   }

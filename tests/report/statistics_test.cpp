@@ -44,8 +44,8 @@ TEST(Statistics, SummaryOfAFewNumbers) {
               student_quantile(4) * std::sqrt(5.0 / 3.0) / 2.0, rounding);
   EXPECT_EQ(some.median.value, 2.5);
   EXPECT_NEAR(some.low.value, 1.15, rounding);
-  EXPECT_EQ(some.least_at, 2U);
-  EXPECT_EQ(some.most_at, 0U);
+  EXPECT_EQ(some.min_at, 2U);
+  EXPECT_EQ(some.max_at, 0U);
 }
 
 TEST(Statistics, OneValueHasNoSpreadAndNoneHasNothing) {

@@ -187,13 +187,13 @@ TEST_F(CutCards, ProtectsThePerimeterOfAnOpening) {
                              "JSET, 2, 117, 9, .9, .3";
   // The largest distance of an end of a side from the perimeter.
   const auto moved = [&](const std::string& cut) {
-    double most = 0.0;
+    double max = 0.0;
     const auto sides = sides_of(model_of(square(joints, cut)).blocks, 9);
     EXPECT_GE(sides.size(), 4U);
     for (const auto& [ax, ay, bx, by] : sides)
       for (const auto& [x, y] : {std::pair{ax, ay}, {bx, by}})
-        most = std::max(most, std::abs(std::max(std::abs(x), std::abs(y)) - 2.0));
-    return most;
+        max = std::max(max, std::abs(std::max(std::abs(x), std::abs(y)) - 2.0));
+    return max;
   };
   EXPECT_LT(moved("CUT, .3, .1, 9"), 1e-15);
   EXPECT_GT(moved("CUT, .3, .1"), 1e-3);

@@ -45,7 +45,7 @@ void ten_steps(Convergence& convergence, double ratio) {
   }
 }
 
-deck::Solve card(double ratio, long most) { return {{ratio, {}}, {most, {}}}; }
+deck::Solve card(double ratio, long max) { return {{ratio, {}}, {max, {}}}; }
 
 // A swinging block passes F = 0.
 TEST(Convergence, NeedsTwoSuccessiveTests) {

@@ -25,15 +25,15 @@ double area_of(const Polygon& outline) {
 }
 
 /// The largest number of pieces that have a corner at the same place.
-int most_at_a_point(const CutDomain& domain) {
+int max_at_a_point(const CutDomain& domain) {
   std::map<std::pair<long, long>, std::set<std::size_t>> pieces_at;
   for (std::size_t i = 0; i < domain.pieces.size(); ++i)
     for (const Vec2& p : domain.pieces[i])
       pieces_at[{std::lround(1e8 * p.x()), std::lround(1e8 * p.y())}].insert(i);
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (const auto& [place, pieces] : pieces_at)
-    most = std::max(most, pieces.size());
-  return static_cast<int>(most);
+    max = std::max(max, pieces.size());
+  return static_cast<int>(max);
 }
 
 // Flush pieces fill the domain, so their areas add up to its area.
@@ -53,14 +53,14 @@ TEST(CutDomains, AreFilledBySimplePiecesOfALeastWidth) {
       const geometry::OutlineCheck found = geometry::check_outline(piece);
       ASSERT_EQ(found.fault, geometry::OutlineFault::none) << describe(found);
       EXPECT_FALSE(found.anticlockwise);
-      EXPECT_GE(narrowest_width(piece), least_width);
-      EXPECT_GE(sharpest_angle(piece), least_angle);
+      EXPECT_GE(narrowest_width(piece), min_width);
+      EXPECT_GE(sharpest_angle(piece), min_angle);
       area += area_of(piece);
     }
     EXPECT_NEAR(area, area_of(domain.outline), 1e-12 * area);
     several += domain.joints > 1;
-    with_three += most_at_a_point(domain) >= 3;
-    with_four += most_at_a_point(domain) >= 4;
+    with_three += max_at_a_point(domain) >= 3;
+    with_four += max_at_a_point(domain) >= 4;
     const Polygon marked = marked_outline(domain);
     EXPECT_GE(marked.size(), domain.outline.size());
     EXPECT_NEAR(area_of(marked), area, 1e-12 * area);
@@ -86,17 +86,17 @@ TEST(CutDomains, HaveTheSharpestCornerOfTheirNotch) {
 TEST(FreeShift, IsBetweenItsBoundsAndExactForABoxAndAWedge) {
   const Domain floor = make_domain({{-3, 0}, {3, 0}, {3, -2}, {-3, -2}});
   const Polygon box = {{0, -0.1}, {0, 0.9}, {1, 0.9}, {1, -0.1}};
-  EXPECT_NEAR(least_shift(box, floor), 0.1, 1e-15);
-  EXPECT_NEAR(most_shift(box, floor), 0.1, 1e-15);
+  EXPECT_NEAR(min_shift(box, floor), 0.1, 1e-15);
+  EXPECT_NEAR(max_shift(box, floor), 0.1, 1e-15);
   EXPECT_NEAR(free_shift(box, floor, {0, 1}), 0.1, 1e-15);
   EXPECT_NEAR(free_shift(box, floor, {0, -1}), 2.9, 1e-15);
   const Domain notch = make_domain({{-2, 2}, {0, 0}, {2, 2}, {2, -2}, {-2, -2}});
   const Polygon wedge = {{0, -0.2}, {-0.4, 1}, {0.4, 1}};
-  EXPECT_NEAR(least_shift(wedge, notch), 0.2, 1e-15);
-  EXPECT_NEAR(most_shift(wedge, notch), 0.2, 1e-15);
+  EXPECT_NEAR(min_shift(wedge, notch), 0.2, 1e-15);
+  EXPECT_NEAR(max_shift(wedge, notch), 0.2, 1e-15);
   const Polygon above = {{0, 0.3}, {-0.4, 1.5}, {0.4, 1.5}};
-  EXPECT_EQ(least_shift(above, notch), 0.0);
-  EXPECT_EQ(most_shift(above, notch), 0.0);
+  EXPECT_EQ(min_shift(above, notch), 0.0);
+  EXPECT_EQ(max_shift(above, notch), 0.0);
 }
 
 /// Runs the scene with so many joints and returns what was measured.

@@ -24,9 +24,9 @@ using geometry::Polygon;
 const dynamics::PairwiseRule without_kept_decisions{{false}};
 
 /// Steps a model with and without kept decisions. Corners may move apart by
-/// `most_apart`, [L]; 0: all bits have to be equal. Returns the number of kept
+/// `max_apart`, [L]; 0: all bits have to be equal. Returns the number of kept
 /// decisions, summed over the steps.
-long compare(const Model& start, int steps, double most_apart = 0.0) {
+long compare(const Model& start, int steps, double max_apart = 0.0) {
   const std::unique_ptr<VariantRun> run = find_variant("default")->start();
   Model kept = start, decided = start;
   dynamics::Workspace a, b;
@@ -40,8 +40,8 @@ long compare(const Model& start, int steps, double most_apart = 0.0) {
       reused += a.decisions.holds(kept.blocks, a.parts, a.index.pairs[p], p);
     const double apart =
         (kept.blocks.corner - decided.blocks.corner).cwiseAbs().maxCoeff();
-    if (apart > most_apart ||
-        (most_apart == 0.0 && kept.blocks.velocity != decided.blocks.velocity)) {
+    if (apart > max_apart ||
+        (max_apart == 0.0 && kept.blocks.velocity != decided.blocks.velocity)) {
       ADD_FAILURE() << "the runs part by " << apart << " in step " << k;
       return reused;
     }
@@ -98,7 +98,7 @@ TEST(Pairs, GiveTheSameBitsForDeformableBlocks) {
 TEST(Pairs, NeedEveryPartOfTheRule) {
   struct Known {
     const char *scene, *variant;
-    int frames, least;
+    int frames, min;
   };
   for (const Known& known : {Known{"cut", "no-far", 40, 2},
                              {"floor", "no-joints", 4, 4},
@@ -108,7 +108,7 @@ TEST(Pairs, NeedEveryPartOfTheRule) {
     choice.frames.offset = 1e3;  // Farther away, rounding moves tips out of the slack.
     choice.variants = {find_variant(known.variant), find_variant("default")};
     const Study study = run_study(make_scene(known.scene), choice);
-    EXPECT_GE(study.rows[0].hung + study.rows[0].deep, known.least) << known.variant;
+    EXPECT_GE(study.rows[0].hung + study.rows[0].deep, known.min) << known.variant;
     EXPECT_EQ(study.rows[1].hung + study.rows[1].fell + study.rows[1].deep, 0)
         << known.scene;
   }
@@ -167,17 +167,17 @@ const std::vector<Shape> shapes = {
     {"needle", {{0, 0}, {0, 0.003}, {3, 0.003}, {3, 0}}}};
 
 /// Returns the largest share of the smaller of two blocks that is in the other one.
-double most_shared(const Blocks& blocks) {
+double max_shared(const Blocks& blocks) {
   std::vector<Polygon> outlines;
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
-  double most = 0.0;
+  double max = 0.0;
   for (const auto& pair :
        geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick))
     if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
-      most = std::max(most, pair.area / std::min(blocks.area[pair.first],
-                                                 blocks.area[pair.second]));
-  return most;
+      max = std::max(
+          max, pair.area / std::min(blocks.area[pair.first], blocks.area[pair.second]));
+  return max;
 }
 
 Polygon moved(Polygon outline, double angle, double x, double y) {
@@ -222,7 +222,7 @@ TEST(Pairs, CarryBlocksOfEveryShape) {
         run->find(model, work);
         ASSERT_TRUE(run->step(model, work).finite) << shape.name << turn;
         if (k % 500 == 499)
-          shared = std::max(shared, most_shared(model.blocks));
+          shared = std::max(shared, max_shared(model.blocks));
       }
       EXPECT_LT(shared, shape.name == "needle" ? 0.2 : 0.02) << shape.name << turn;
       for (int b = 0; b < model.blocks.size(); ++b)

@@ -117,11 +117,11 @@ TEST(DefaultVariant, GivesTheBitsOfARun) {
 /// twelve frames of the test, so that a test fails if more frames do.
 struct KnownFailure {
   std::string_view scene;
-  long most_hung;              ///< frames
-  long most_fell;              ///< frames
-  double most_lost;            ///< mean of the speed lost
-  double most_energy;          ///< worst error
-  double most_phantom = 1e-4;  ///< shares of contacts in kept decisions
+  long max_hung;              ///< frames
+  long max_fell;              ///< frames
+  double max_lost;            ///< mean of the speed lost
+  double max_energy;          ///< worst error
+  double max_phantom = 1e-4;  ///< shares of contacts in kept decisions
 };
 constexpr std::array known_failures = {
     // A tip at a joint presses two springs, which lose some energy.
@@ -157,14 +157,14 @@ TEST(DefaultVariant, NeitherHangsNorFallsThrough) {
     const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
     EXPECT_FALSE(row.wrong_signs.value > 0.0) << name;
     const KnownFailure* known = known_failure(name);
-    const double most_phantom = known ? known->most_phantom : 1e-4;
-    EXPECT_FALSE(row.phantom.value > most_phantom) << name;
-    EXPECT_FALSE(row.missed.value > most_phantom) << name;
+    const double max_phantom = known ? known->max_phantom : 1e-4;
+    EXPECT_FALSE(row.phantom.value > max_phantom) << name;
+    EXPECT_FALSE(row.missed.value > max_phantom) << name;
     if (known) {
-      EXPECT_LE(row.hung, known->most_hung) << name;
-      EXPECT_LE(row.fell, known->most_fell) << name;
-      EXPECT_FALSE(row.speed_lost.value > known->most_lost) << name;
-      EXPECT_FALSE(row.worst_energy >= known->most_energy) << name;
+      EXPECT_LE(row.hung, known->max_hung) << name;
+      EXPECT_LE(row.fell, known->max_fell) << name;
+      EXPECT_FALSE(row.speed_lost.value > known->max_lost) << name;
+      EXPECT_FALSE(row.worst_energy >= known->max_energy) << name;
       continue;
     }
     EXPECT_EQ(row.hung, 0) << name;

@@ -27,10 +27,10 @@ class IntervalDrawing {
       : cairo_(cairo), pen_(cairo, draw::PageSize::on_screen(page)), study_(study) {
     for (const Row& row : study.rows)
       limit_ = std::max(limit_, study.limit(row, 0));
-    most_ = std::ceil(limit_ + 0.5);
+    max_ = std::ceil(limit_ + 0.5);
     for (const Row& row : study.rows)
       for (const Estimate& one : row.estimates)
-        most_ = std::max(most_, std::ceil(std::abs(one.z(row.quantity.exact)) + 2.2));
+        max_ = std::max(max_, std::ceil(std::abs(one.z(row.quantity.exact)) + 2.2));
   }
 
   static double height(const Study& study) {
@@ -51,7 +51,7 @@ class IntervalDrawing {
         24, 60, 15, draw::muted, 0, 1);
     cairo_rectangle(cairo_, x(-1.96), head, x(1.96) - x(-1.96), bottom - head);
     pen_.fill(band);
-    for (int z = static_cast<int>(-most_); z <= static_cast<int>(most_); ++z) {
+    for (int z = static_cast<int>(-max_); z <= static_cast<int>(max_); ++z) {
       pen_.line(x(z), head, x(z), bottom, z == 0 ? 1.6 : 1.0,
                 z == 0 ? draw::muted : grid);
       pen_.text(fmt::format("{}", z), x(z), bottom + 11, 14, draw::ink, 0.5, 0);
@@ -83,7 +83,7 @@ class IntervalDrawing {
     };
     return i == 0 || group(i) != group(i - 1);
   }
-  double x(double z) const { return left + (z + most_) / (2 * most_) * (right - left); }
+  double x(double z) const { return left + (z + max_) / (2 * max_) * (right - left); }
   void dot(double at, double y, std::size_t set) {
     cairo_arc(cairo_, at, y, 4, 0, 2 * std::numbers::pi);
     pen_.fill(colours[set]);
@@ -113,7 +113,7 @@ class IntervalDrawing {
   cairo_t* cairo_;
   draw::Pen pen_;
   const Study& study_;
-  double limit_ = 0.0, most_ = 0.0;
+  double limit_ = 0.0, max_ = 0.0;
 };
 
 }  // namespace

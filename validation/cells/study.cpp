@@ -89,16 +89,16 @@ std::string overview(const Study& study) {
                        (1.0 - interval_level) * static_cast<double>(study.rows.size()));
   });
   line("largest z, without sign", [&](std::size_t set) {
-    double most = 0.0;
+    double max = 0.0;
     for (const Row& row : study.rows)
-      most = std::max(most, std::abs(row.estimates[set].z(row.quantity.exact)));
-    return fmt::format("{:.2f}", most);
+      max = std::max(max, std::abs(row.estimates[set].z(row.quantity.exact)));
+    return fmt::format("{:.2f}", max);
   });
   line("limit", [&](std::size_t set) {
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     for (const Row& row : study.rows)
-      least = std::min(least, study.limit(row, set));
-    return fmt::format("{:.2f}", least);
+      min = std::min(min, study.limit(row, set));
+    return fmt::format("{:.2f}", min);
   });
   return text + "\n";
 }
@@ -133,7 +133,7 @@ double Study::limit(const Row& row, std::size_t set) const {
 bool Study::passed() const {
   for (std::size_t set = 0; set < seed_sets; ++set) {
     if (total(set, sum::broken) > 0.0 ||
-        total(set, sum::clipped) > most_clipped * total(set, sum::cells))
+        total(set, sum::clipped) > max_clipped * total(set, sum::cells))
       return false;
     for (const Row& row : rows)
       if (!(std::abs(row.estimates[set].z(row.quantity.exact)) <= limit(row, set)))

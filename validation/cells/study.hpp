@@ -12,7 +12,7 @@ namespace blocks::validation {
 inline constexpr double interval_level = 0.95;
 /// Part of the sampled cells that may touch the outline. So few do not change a mean by
 /// a visible part of its error.
-inline constexpr double most_clipped = 1e-5;
+inline constexpr double max_clipped = 1e-5;
 /// Probability that a run fails although every exact value is true.
 inline constexpr double family_level = 0.01;
 inline constexpr std::size_t seed_sets = 2;
@@ -40,7 +40,7 @@ struct Study {
   /// Returns the limit of |z| of a row.
   double limit(const Row& row, std::size_t set) const;
   /// True if each |z| is below its limit, every identity holds and at most
-  /// most_clipped of the sampled cells touch the outline.
+  /// max_clipped of the sampled cells touch the outline.
   bool passed() const;
 };
 

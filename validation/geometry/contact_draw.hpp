@@ -52,17 +52,17 @@ class Draw {
     const double x = uniform(-size, size);
     return {x, uniform(-size, size)};
   }
-  /// Moves x by up to `most` doubles in a random direction.
-  double nudge(double x, int most) {
+  /// Moves x by up to `max` doubles in a random direction.
+  double nudge(double x, int max) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double to = coin() ? infinity : -infinity;
-    for (int i = whole(0, most); i > 0; --i)
+    for (int i = whole(0, max); i > 0; --i)
       x = std::nextafter(x, to);
     return x;
   }
-  Vec2 nudge(const Vec2& v, int most) {
-    const double x = nudge(v.x(), most);
-    return {x, nudge(v.y(), most)};
+  Vec2 nudge(const Vec2& v, int max) {
+    const double x = nudge(v.x(), max);
+    return {x, nudge(v.y(), max)};
   }
 
  private:

@@ -29,7 +29,7 @@ using geometry::CutResult;
 // and a coarse one.
 constexpr std::array<double, 3> naive_tolerances = {1e-14, 1e-9, 1e-3};
 // Calls of the progress function of a network, far above what any of them needs.
-constexpr long most_calls = 100'000;
+constexpr long max_calls = 100'000;
 
 struct Hang {};
 
@@ -92,7 +92,7 @@ std::string bits(const CutResult& result) {
 CutResult cut(CutRequest request) {
   long calls = 0;
   request.progress = [&calls](const std::string&, double) {
-    if (++calls > most_calls)
+    if (++calls > max_calls)
       throw Hang();
   };
   return geometry::cut_outline(request);

@@ -46,8 +46,8 @@ std::string widths_row(int blocks, int hundredths) {
   std::vector<double> place(n, 0.0);
   double square = 0.0;
   double product = 0.0;
-  double least = 3.0;
-  double most = 0.0;
+  double min = 3.0;
+  double max = 0.0;
   for (int k = 0; k < layers; ++k) {
     const Layer layer = cut_layer(layer_of(blocks, hundredths, "0", k));
     const auto width = [&](std::size_t i) {
@@ -58,8 +58,8 @@ std::string widths_row(int blocks, int hundredths) {
       place[i] += d;
       square += d * d;
       product += i > 0 ? d * (width(i - 1) - mean) : 0.0;
-      least = std::min(least, width(i));
-      most = std::max(most, width(i));
+      min = std::min(min, width(i));
+      max = std::max(max, width(i));
     }
   }
   const double count = static_cast<double>(layers) * blocks;
@@ -74,7 +74,7 @@ std::string widths_row(int blocks, int hundredths) {
   row << "| " << blocks << " | " << fixed(mean, 2) << " | " << layers << " | "
       << fixed(deviation, 4) << " | "
       << fixed(std::min(mean - 0.2, 3.0 - mean) / std::sqrt(3.0), 4) << " | "
-      << fixed(least, 4) << " | " << fixed(most, 4) << " | "
+      << fixed(min, 4) << " | " << fixed(max, 4) << " | "
       << fixed(product / (count - layers) / (square / count), 4) << " | "
       << fixed(-1.0 / (blocks - 1), 4) << " | " << fixed(worst / error, 2) << " |\n";
   return row.str();

@@ -223,19 +223,19 @@ class Scale {
  public:
   void see(double x) {
     if (x != 0.0)
-      least_ = std::min(least_, std::ilogb(x) - 52);
+      min_ = std::min(min_, std::ilogb(x) - 52);
   }
   Whole operator()(double x) const {
     if (x == 0.0)
       return 0;
     const int exponent = std::ilogb(x) - 52;
     const Whole mantissa(static_cast<long long>(std::ldexp(x, -exponent)));
-    return mantissa * 3 * (Whole(1) << static_cast<unsigned>(exponent - least_));
+    return mantissa * 3 * (Whole(1) << static_cast<unsigned>(exponent - min_));
   }
   Place operator()(const Vec2& p) const { return {(*this)(p.x()), (*this)(p.y())}; }
 
  private:
-  int least_ = 2000;
+  int min_ = 2000;
 };
 
 std::optional<Loop> loop_of(const std::vector<int>& indices,

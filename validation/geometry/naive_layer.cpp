@@ -49,11 +49,11 @@ std::vector<double> random_places(const LayerRequest& request, double length,
     widths.push_back(low + (high - low) * uniform(request, block, 0, 0));
     sum += widths.back();
   }
-  const double least = static_cast<double>(n) * low;
-  const double most = static_cast<double>(n) * high;
+  const double min = static_cast<double>(n) * low;
+  const double max = static_cast<double>(n) * high;
   for (double& w : widths) {
-    w = sum > length ? low + (w - low) * (length - least) / (sum - least)
-                     : high - (high - w) * (most - length) / (most - sum);
+    w = sum > length ? low + (w - low) * (length - min) / (sum - min)
+                     : high - (high - w) * (max - length) / (max - sum);
   }
   std::vector<double> places = {0.0};
   numbers = {0};

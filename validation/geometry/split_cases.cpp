@@ -61,11 +61,11 @@ std::vector<Vec2> fan(Draw& draw, int n) {
 
 Polygon convex(Draw& draw) { return fan(draw, draw.whole(3, 12)); }
 
-// Radii between `least` and 1.
-Polygon star(Draw& draw, double least) {
+// Radii between `min` and 1.
+Polygon star(Draw& draw, double min) {
   Polygon outline = fan(draw, draw.whole(4, 20));
   for (Vec2& corner : outline)
-    corner *= draw.uniform(least, 1.0);
+    corner *= draw.uniform(min, 1.0);
   return outline;
 }
 
@@ -227,9 +227,8 @@ SplitCase make_split_case(std::size_t family, std::uint64_t number) {
   }
   if (draw.coin())
     line.along = -line.along;
-  constexpr std::array<double, 4> least = {0.0, 1e-3, 0.1, 0.4};
-  result.least_area =
-      least[static_cast<std::size_t>(draw.whole(0, 3))] * properties.area;
+  constexpr std::array<double, 4> min = {0.0, 1e-3, 0.1, 0.4};
+  result.min_area = min[static_cast<std::size_t>(draw.whole(0, 3))] * properties.area;
   switch (draw.whole(0, 3)) {
   case 0:
     line.near = 0.0;
@@ -238,7 +237,7 @@ SplitCase make_split_case(std::size_t family, std::uint64_t number) {
     line.near = 0.1 * size;
     break;
   default:
-    line.near = 0.05 * std::sqrt(result.least_area);
+    line.near = 0.05 * std::sqrt(result.min_area);
     break;
   }
   return result;

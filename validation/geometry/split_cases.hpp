@@ -14,7 +14,7 @@ namespace blocks::validation {
 struct SplitCase {
   geometry::Polygon outline;  ///< [L] simple and clockwise
   geometry::SplitLine line;
-  double least_area = 0.0;  ///< [L^2]
+  double min_area = 0.0;  ///< [L^2]
 };
 
 /// One kind of line; outlines of every kind occur in each family.

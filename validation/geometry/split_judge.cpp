@@ -119,16 +119,16 @@ std::vector<End> common_points(const std::vector<Point>& p, const SplitLine& lin
 std::optional<Chord> exact_chord(const std::vector<Point>& p, const SplitLine& line) {
   const auto ends = common_points(p, line);
   std::optional<Chord> best;
-  Exact least;
+  Exact min;
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const End &a = ends[k - 1], &b = ends[k];
     if (!strictly_inside(p, {(a.place.x + b.place.x) / 2, (a.place.y + b.place.y) / 2}))
       continue;
     const Exact distance =
         a.along > 0 ? a.along : (b.along < 0 ? Exact(-b.along) : Exact(0));
-    if (!best || distance < least) {
+    if (!best || distance < min) {
       best = {a, b};
-      least = distance;
+      min = distance;
     }
   }
   return best;
@@ -163,9 +163,9 @@ bool about(double rounded, const Exact& squared) {
 
 class SplitJudge {
  public:
-  SplitJudge(const Polygon& outline, const SplitLine& line, double least_area,
+  SplitJudge(const Polygon& outline, const SplitLine& line, double min_area,
              const Split& split)
-      : outline_(outline), p_(exactly(outline)), line_(line), least_area_(least_area),
+      : outline_(outline), p_(exactly(outline)), line_(line), min_area_(min_area),
         split_(split) {}
 
   std::string fault() const {
@@ -197,19 +197,19 @@ class SplitJudge {
     const Exact to_first = squared_distance(exact.place, p_[i]),
                 to_last = squared_distance(exact.place, p_[j]);
     const bool first = to_first < to_last || (to_first == to_last && i < j);
-    const Exact near(line_.near), least = first ? to_first : to_last;
+    const Exact near(line_.near), min = first ? to_first : to_last;
     if (end.corner >= 0)
-      return corner_fault(exact, end, first ? i : j, least, least < near * near);
-    if (least < near * near)
+      return corner_fault(exact, end, first ? i : j, min, min < near * near);
+    if (min < near * near)
       return "not moved to the near corner";
     return new_corner_fault(exact, end, i, j);
   }
   std::string corner_fault(const End& exact, const ChordEnd& end, std::size_t corner,
-                           const Exact& least, bool near) const {
+                           const Exact& min, bool near) const {
     const std::size_t moved_to = static_cast<std::size_t>(end.corner);
     if (moved_to != corner || end.place != outline_[corner])
       return "not the near corner";
-    if (!about(end.moved, least) || end.part != 0.0)
+    if (!about(end.moved, min) || end.part != 0.0)
       return "the distance of the move is wrong";
     // A crossing that is not near a corner may still round to it.
     if (!near && !(nearest_to(end.place.x(), exact.place.x) &&
@@ -332,7 +332,7 @@ class SplitJudge {
       }
       const Exact twice = twice_area(exactly(piece.outline));
       sum += twice;
-      small = small || twice < 2 * Exact(least_area_);
+      small = small || twice < 2 * Exact(min_area_);
       if (!nearest_to(piece.area, twice / 2))
         return "an area is not rounded to the nearest";
     }
@@ -352,15 +352,15 @@ class SplitJudge {
   const Polygon& outline_;
   const std::vector<Point> p_;
   const SplitLine& line_;
-  double least_area_;
+  double min_area_;
   const Split& split_;
 };
 
 }  // namespace
 
-std::string judge_split(const Polygon& outline, const SplitLine& line,
-                        double least_area, const Split& split) {
-  return SplitJudge(outline, line, least_area, split).fault();
+std::string judge_split(const Polygon& outline, const SplitLine& line, double min_area,
+                        const Split& split) {
+  return SplitJudge(outline, line, min_area, split).fault();
 }
 
 }  // namespace blocks::validation

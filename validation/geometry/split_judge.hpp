@@ -15,7 +15,7 @@ inline constexpr const char* piece_too_small = "a piece is too small";
 /// and the pieces with all their fields. Returns what is wrong, or an empty string.
 /// outline: simple and clockwise, finite.
 std::string judge_split(const geometry::Polygon& outline,
-                        const geometry::SplitLine& line, double least_area,
+                        const geometry::SplitLine& line, double min_area,
                         const geometry::Split& split);
 
 }  // namespace blocks::validation

@@ -62,7 +62,7 @@ void examine(std::size_t family, std::uint64_t number, SplitTally& tally) {
   tally.re_entrant += geometry::check_outline(k.outline).convex ? 0 : 1;
   try {
     const double start = processor_seconds();
-    const Split split = geometry::split_outline(k.outline, k.line, k.least_area);
+    const Split split = geometry::split_outline(k.outline, k.line, k.min_area);
     tally.seconds += processor_seconds() - start;
     ++tally.faults[static_cast<std::size_t>(split.fault)];
     if (split.fault == SplitFault::none)
@@ -70,7 +70,7 @@ void examine(std::size_t family, std::uint64_t number, SplitTally& tally) {
         tally.moved += end.moved > 0.0 ? 1 : 0;
     if (split.fault == SplitFault::unsound)
       tally.not_moved += split.ends[0].moved + split.ends[1].moved > 0.0 ? 0 : 1;
-    const std::string fault = judge_split(k.outline, k.line, k.least_area, split);
+    const std::string fault = judge_split(k.outline, k.line, k.min_area, split);
     tally.below += fault == piece_too_small ? 1 : 0;
     if (!fault.empty()) {
       ++tally.wrong;
@@ -164,18 +164,18 @@ int replay(const std::string& which) {
     const SplitCase k = make_split_case(f, std::stoull(which.substr(colon + 1)));
     std::printf("least area %.17g, near %.17g, point (%.17g, %.17g), along (%.17g, "
                 "%.17g), outline",
-                k.least_area, k.line.near, k.line.point.x(), k.line.point.y(),
+                k.min_area, k.line.near, k.line.point.x(), k.line.point.y(),
                 k.line.along.x(), k.line.along.y());
     for (const auto& corner : k.outline)
       std::printf(" (%.17g, %.17g)", corner.x(), corner.y());
-    const Split split = geometry::split_outline(k.outline, k.line, k.least_area);
+    const Split split = geometry::split_outline(k.outline, k.line, k.min_area);
     std::printf("\nfault %d, certificate: %s\n", static_cast<int>(split.fault),
                 split.certificate.fault.c_str());
     for (const auto& end : split.ends)
       std::printf("end (%.17g, %.17g), corner %d, side %d, part %.17g, moved %.17g\n",
                   end.place.x(), end.place.y(), end.corner, end.side, end.part,
                   end.moved);
-    const std::string fault = judge_split(k.outline, k.line, k.least_area, split);
+    const std::string fault = judge_split(k.outline, k.line, k.min_area, split);
     std::printf("judge: %s\n", fault.empty() ? "right" : fault.c_str());
     return 0;
   }

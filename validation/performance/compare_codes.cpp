@@ -139,7 +139,7 @@ Phases profiled(const Plan& plan, const Scene& scene, const Model& state, double
   long steps = window_steps(scene, state);
   if (steps == 0) {
     const double step = 1e-9 * cost * code.work_per_step();  // seconds
-    steps = std::max(least_profiled, std::lround(plan.seconds / step));
+    steps = std::max(min_profiled, std::lround(plan.seconds / step));
     code.run(steps);
   }
   const Phases share = code.run_phases(steps);

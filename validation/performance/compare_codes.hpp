@@ -14,7 +14,7 @@ constexpr const char* linked_lists = "linked lists of 1982";
 constexpr const char* box2d_name = "Box2D 2.4.1";
 
 /// A profile of fewer steps depends on whether it includes a search.
-constexpr long least_profiled = 30;
+constexpr long min_profiled = 30;
 
 /// Adds a row for each code: the program with rigid and deformable blocks and with one
 /// and two threads, the linked lists, and Box2D. Adds a note for each code that cannot

@@ -32,11 +32,11 @@ LinkedListCode::LinkedListCode(const Model& start)
     throw std::invalid_argument("linked lists: rigid blocks without planes and loads");
   const Vec2 size = settings_.upper - settings_.lower;
   boxes_per_length_ = {settings_.boxes_x / size.x(), settings_.boxes_y / size.y()};
-  most_corners_ = 0;
+  max_corners_ = 0;
   for (int b = 0; b < from.size(); ++b)
-    most_corners_ = std::max(most_corners_, from.corners_of(b));
+    max_corners_ = std::max(max_corners_, from.corners_of(b));
   boxes_.assign(static_cast<std::size_t>(settings_.boxes_x) * settings_.boxes_y, none);
-  corners_.resize(static_cast<std::size_t>(from.size()) * most_corners_);
+  corners_.resize(static_cast<std::size_t>(from.size()) * max_corners_);
   for (int b = 0; b < from.size(); ++b) {
     blocks_.push_back({from.corners_of(b),
                        !from.is_free(b),
@@ -64,7 +64,7 @@ LinkedListCode::LinkedListCode(const Model& start)
              0,
              none};
       own.box = box_of(own.x, own.y);
-      own.link = std::exchange(boxes_[own.box], b * most_corners_ + k);
+      own.link = std::exchange(boxes_[own.box], b * max_corners_ + k);
     }
   }
   find_contacts();
@@ -126,7 +126,7 @@ void LinkedListCode::find_contacts_of_edge(int b, int edge) {
     for (int column = first % columns; column <= last % columns; ++column)
       for (int address = boxes_[row * columns + column]; address != none;
            address = corners_[address].link) {
-        const int other = address / most_corners_, k = address % most_corners_;
+        const int other = address / max_corners_, k = address % max_corners_;
         if (other == b || (blocks_[b].fixed && blocks_[other].fixed))
           continue;
         const Corner& c = corners_[address];

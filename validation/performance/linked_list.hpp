@@ -62,8 +62,8 @@ class LinkedListCode : public Contestant {
     double x, y;          ///< XCP, YCP
   };
 
-  const Corner& corner(int b, int k) const { return corners_[b * most_corners_ + k]; }
-  Corner& corner(int b, int k) { return corners_[b * most_corners_ + k]; }
+  const Corner& corner(int b, int k) const { return corners_[b * max_corners_ + k]; }
+  Corner& corner(int b, int k) { return corners_[b * max_corners_ + k]; }
   int after(int b, int k) const { return k + 1 == blocks_[b].corners ? 0 : k + 1; }
   int before(int b, int k) const { return (k == 0 ? blocks_[b].corners : k) - 1; }
   int box_of(double x, double y) const {
@@ -87,7 +87,7 @@ class LinkedListCode : public Contestant {
   Settings settings_;
   double dt_, free_ = 0.0;
   Vec2 boxes_per_length_;
-  int most_corners_;  ///< NCMAX
+  int max_corners_;  ///< NCMAX
   std::vector<Block> blocks_;
   std::vector<Corner> corners_;  ///< NCMAX for each block
   std::vector<int> boxes_;       ///< address of the first corner in each box

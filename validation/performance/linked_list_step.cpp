@@ -153,7 +153,7 @@ void LinkedListCode::move() {
       largest = std::max(largest, dx * dx + dy * dy);
       own.x = block.x + x;
       own.y = block.y + y;
-      rebox(b * most_corners_ + k);
+      rebox(b * max_corners_ + k);
     }
   }
   travel_ += std::sqrt(largest);

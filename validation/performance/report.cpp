@@ -35,10 +35,10 @@ std::string short_number(double value) {
 std::string in_words(const std::optional<Ratio>& ratio) {
   if (!ratio)
     return "";
-  if (ratio->least == ratio->most)
+  if (ratio->min == ratio->max)
     return short_number(ratio->middle);
   return fmt::format("{} ({} to {})", short_number(ratio->middle),
-                     short_number(ratio->least), short_number(ratio->most));
+                     short_number(ratio->min), short_number(ratio->max));
 }
 
 std::string table_of(const Report& report, const std::string& part) {
@@ -90,8 +90,8 @@ nlohmann::json to_json(const Report& report) {
     if (row.ratio)
       one["ratio"] = {{"over", row.against},
                       {"median", row.ratio->middle},
-                      {"least", row.ratio->least},
-                      {"most", row.ratio->most}};
+                      {"least", row.ratio->min},
+                      {"most", row.ratio->max}};
     rows.push_back(one);
   }
   for (const Target& one : report.targets)

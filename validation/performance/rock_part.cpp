@@ -22,7 +22,7 @@ Row row_of(const Scene& scene, BlocksCode& code, const Times& times) {
           .unit = "block-step",
           .cost = times.middle(),
           .state = scene.state};
-  const Phases share = code.run_phases(least_profiled);
+  const Phases share = code.run_phases(min_profiled);
   row.phases = {row.cost * share.decisions, row.cost * share.forces,
                 row.cost * share.motion, row.cost * share.search};
   return row;

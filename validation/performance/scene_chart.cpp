@@ -62,13 +62,13 @@ class SceneDrawing {
     std::vector<double> costs;
     for (const Row* row : rows)
       costs.push_back(row->cost);
-    most_ = std::min(1.16 * *std::max_element(costs.begin(), costs.end()),
-                     longest_bar * median(costs));
+    max_ = std::min(1.16 * *std::max_element(costs.begin(), costs.end()),
+                    longest_bar * median(costs));
     for (const Row* row : rows)
       for (const Other& other : others)
         if (const Row* one = find(*row, other)) {
-          least_ratio_ = std::min(least_ratio_, 0.8 * one->ratio->least);
-          most_ratio_ = std::max(most_ratio_, 1.25 * one->ratio->most);
+          min_ratio_ = std::min(min_ratio_, 0.8 * one->ratio->min);
+          max_ratio_ = std::max(max_ratio_, 1.25 * one->ratio->max);
         }
   }
 
@@ -101,11 +101,10 @@ class SceneDrawing {
     return one != nullptr && one->ratio ? one : nullptr;
   }
   double bar_x(double ns) const {
-    return bars_left + std::min(1.0, ns / most_) * (bars_right - bars_left);
+    return bars_left + std::min(1.0, ns / max_) * (bars_right - bars_left);
   }
   double mark_x(double ratio) const {
-    const double at =
-        std::log(ratio / least_ratio_) / std::log(most_ratio_ / least_ratio_);
+    const double at = std::log(ratio / min_ratio_) / std::log(max_ratio_ / min_ratio_);
     return marks_left + at * (marks_right - marks_left);
   }
 
@@ -116,7 +115,7 @@ class SceneDrawing {
   }
 
   void draw_bar_ticks() {
-    const auto ticks = draw::label_ticks(0.0, most_, 5);
+    const auto ticks = draw::label_ticks(0.0, max_, 5);
     for (std::size_t i = 0; i < ticks.ticks.size(); ++i) {
       const double x = bar_x(ticks.ticks[i]);
       pen_.line(x, head, x, bottom_, 1, grid);
@@ -127,7 +126,7 @@ class SceneDrawing {
   void draw_mark_ticks() {
     for (const double ratio :
          {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0}) {
-      if (ratio < least_ratio_ || ratio > most_ratio_)
+      if (ratio < min_ratio_ || ratio > max_ratio_)
         continue;
       const double x = mark_x(ratio);
       pen_.line(x, head, x, bottom_, ratio == 1.0 ? 1.6 : 1,
@@ -177,7 +176,7 @@ class SceneDrawing {
     double at = y - 9;  // Ranges of different codes must not cover each other.
     for (const Other& other : others) {
       if (const Row* one = find(row, other)) {
-        pen_.line(mark_x(one->ratio->least), at, mark_x(one->ratio->most), at, 2.4,
+        pen_.line(mark_x(one->ratio->min), at, mark_x(one->ratio->max), at, 2.4,
                   other.colour);
         draw_mark(other, mark_x(one->ratio->middle), at);
       }
@@ -195,7 +194,7 @@ class SceneDrawing {
       from = to;
     }
     const std::string time = short_number(row.cost);
-    if (from <= most_) {
+    if (from <= max_) {
       pen_.text(time, bar_x(from) + 6, y, 13, draw::ink, 0, 0.5);
       return;
     }
@@ -208,8 +207,8 @@ class SceneDrawing {
   const Report& report_;
   const std::vector<const Row*>& rows_;
   double bottom_;
-  double most_ = 0.0;  ///< end of the axis of the bars, nanoseconds
-  double least_ratio_ = 0.4, most_ratio_ = 12.0;
+  double max_ = 0.0;  ///< end of the axis of the bars, nanoseconds
+  double min_ratio_ = 0.4, max_ratio_ = 12.0;
   std::string scene_;  ///< scene of the row above
 };
 

@@ -66,8 +66,8 @@ Ratio ratio(const Times& first, const Times& second) {
   std::vector<double> of_pairs;
   for (std::size_t i = 0; i < first.nanoseconds.size(); ++i)
     of_pairs.push_back(second.nanoseconds[i] / first.nanoseconds[i]);
-  const auto [least, most] = std::minmax_element(of_pairs.begin(), of_pairs.end());
-  return {median(of_pairs), *least, *most};
+  const auto [min, max] = std::minmax_element(of_pairs.begin(), of_pairs.end());
+  return {median(of_pairs), *min, *max};
 }
 
 std::vector<Times> take_turns(const std::vector<Contestant*>& codes, int rounds,

@@ -30,7 +30,7 @@ struct Times {
 
 /// The ratio of the second times to the first, from the pairs of each round.
 struct Ratio {
-  double middle = 0.0, least = 0.0, most = 0.0;
+  double middle = 0.0, min = 0.0, max = 0.0;
 };
 Ratio ratio(const Times& first, const Times& second);
 

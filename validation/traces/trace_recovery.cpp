@@ -38,11 +38,11 @@ std::string table(const RecoveryCase& one, const Recovery& found) {
 
 /// Whether all intervals cover often enough.
 bool holds(const Recovery& found) {
-  constexpr double least = 0.9, least_right = 0.97;
+  constexpr double min = 0.9, min_right = 0.97;
   for (const RecoveredField& field : found.fields)
-    if (field.covered < least * found.right)
+    if (field.covered < min * found.right)
       return false;
-  return found.right >= least_right * found.maps;
+  return found.right >= min_right * found.maps;
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ bool has_long_keys(const Chart& chart, double column) {
 }  // namespace
 
 double ChartLayout::keys(const ChartPanel& one) const {
-  const std::size_t lines = std::min(keys_of(one).size(), most_keys);
+  const std::size_t lines = std::min(keys_of(one).size(), max_keys);
   return keys_above ? static_cast<double>(lines) * key_line + 4 : 0.0;
 }
 
 ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.width) {
-  constexpr double narrow = 620, flat = 0.62, least_panel = 50;
+  constexpr double narrow = 620, flat = 0.62, min_panel = 50;
   if (size.printed) {
     constexpr double beside = 200.0, margins = 62.0;  // of the sample and the page
     keys_above = size.width < narrow || has_long_keys(chart, beside - margins);
@@ -60,7 +60,7 @@ ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.w
     rest += keys(one);
   if (size.height > 0.0)
     panel = (size.height - rest) / n;
-  if (panel < least_panel || page - left - right < least_panel)
+  if (panel < min_panel || page - left - right < min_panel)
     throw std::runtime_error("the size leaves no room for the curves: choose a larger "
                              "size, or fewer quantities");
   page_height = rest + n * panel;

@@ -27,7 +27,7 @@ struct ChartLayout {
   double title = 34, subtitle = 62;
   bool keys_above = false;  ///< the legend of a panel is above it, not beside it
   static constexpr double key_line = 19;
-  static constexpr std::size_t most_keys = 8;
+  static constexpr std::size_t max_keys = 8;
 
   /// Throws std::runtime_error if the page is too small.
   ChartLayout(const Chart& chart, const PageSize& size);

@@ -15,7 +15,7 @@ constexpr std::size_t many_pieces = 400;
 constexpr double wide_sector = 10.0, fine_sector = 5.0;
 /// Below this resultant of unit vectors (0: all directions alike, 1: all the same) a
 /// mean direction says nothing.
-constexpr double least_resultant = 0.4;
+constexpr double min_resultant = 0.4;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Directions direction_statistics(const std::vector<DirectedLength>& lengths) {
     const double angle = 0.5 * std::arg(sums[id]) / degree;
     one.mean = angle < 0.0 ? angle + half_turn : angle;
     const double resultant = std::min(std::abs(sums[id]) / one.share, 1.0);
-    if (resultant >= least_resultant)
+    if (resultant >= min_resultant)
       one.deviation = 0.5 * std::sqrt(2.0 * std::abs(std::log(resultant))) / degree;
   }
   return result;

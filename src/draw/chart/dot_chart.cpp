@@ -19,7 +19,7 @@ constexpr Colour rule{0.9, 0.9, 0.9};
 
 /// The places on the page [units].
 struct DotLayout {
-  static constexpr double margin = 16, key = 20, foot = 58, least_panel = 90;
+  static constexpr double margin = 16, key = 20, foot = 58, min_panel = 90;
   double top = margin, row = 34, bottom = 0, page_height = 0;
 
   DotLayout(const DotChart& chart, const PageSize& size) {
@@ -46,7 +46,7 @@ class DotDrawing : DotLayout {
     for (const std::string& name : chart.names)
       widest = std::max(widest, pen_.width(name, 14));
     left_ = margin + std::min(widest, 0.5 * size.width) + gap;
-    if (end_ - left_ < least_panel)
+    if (end_ - left_ < min_panel)
       throw std::runtime_error(
           "the size leaves no room for the values: choose a larger size");
     for (const DotSeries& one : chart.series)

@@ -12,7 +12,7 @@ namespace blocks::draw {
 namespace {
 
 constexpr Colour bar_colour{0.47, 0.55, 0.62}, bar_grid{0.9, 0.9, 0.9};
-constexpr double most_whole = 12;  ///< larger whole numbers share the last bar
+constexpr double max_whole = 12;  ///< larger whole numbers share the last bar
 
 /// Bars with equal widths on the axis, which has values or their logarithms.
 struct Bars {
@@ -34,22 +34,22 @@ double decades_of_bar(double span, std::size_t n) {
 Bars bars_of(const Histogram& histogram) {
   std::vector<double> values = histogram.values;
   for (double& value : values)
-    value = histogram.whole ? std::min(value, most_whole) : std::log10(value);
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    value = histogram.whole ? std::min(value, max_whole) : std::log10(value);
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
   Bars bars;
   if (histogram.whole) {
-    bars.low = *least - 0.5;
+    bars.low = *min - 0.5;
   } else {
-    bars.width = decades_of_bar(*most - *least, values.size());
+    bars.width = decades_of_bar(*max - *min, values.size());
     constexpr double rounding = 1e-9;  // of a logarithm at the end of a bar
-    bars.low = bars.width * std::floor(*least / bars.width + rounding);
+    bars.low = bars.width * std::floor(*min / bars.width + rounding);
   }
   const auto bar_at = [&](double value) {
     constexpr double rounding = 1e-9;
     return static_cast<std::size_t>(
         std::max(0.0, std::floor((value - bars.low) / bars.width + rounding)));
   };
-  bars.counts.resize(bar_at(*most) + 1);
+  bars.counts.resize(bar_at(*max) + 1);
   for (const double value : values)
     ++bars.counts[bar_at(value)];
   return bars;
@@ -92,7 +92,7 @@ class HistogramDrawing {
     const double margin = 0.5 * bars_.width;
     low_ = bars_.low - margin;
     high_ = bars_.high() + margin;
-    most_ = 1.06 * *std::max_element(bars_.counts.begin(), bars_.counts.end());
+    max_ = 1.06 * *std::max_element(bars_.counts.begin(), bars_.counts.end());
   }
 
   void draw() {
@@ -110,13 +110,13 @@ class HistogramDrawing {
     return place_.left + place_.width * (value - low_) / (high_ - low_);
   }
   double page_y(double count) const {
-    return place_.top + place_.height * (1.0 - count / most_);
+    return place_.top + place_.height * (1.0 - count / max_);
   }
 
   void count_axis() {
     const int wanted =
-        std::clamp(static_cast<int>(std::min(place_.height / 42, most_)), 1, 5);
-    const TickLabels marked = label_ticks(0.0, most_, wanted);
+        std::clamp(static_cast<int>(std::min(place_.height / 42, max_)), 1, 5);
+    const TickLabels marked = label_ticks(0.0, max_, wanted);
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = page_y(marked.ticks[i]);
       pen_.line(place_.left, y, place_.left + place_.width, y, 0.8, bar_grid);
@@ -155,7 +155,7 @@ class HistogramDrawing {
       for (double value = std::ceil(low_); value <= high_; ++value) {
         if (value < bars_.low || value > bars_.high())
           continue;
-        tick(value, fmt::format("{:g}{}", value, value == most_whole ? "+" : ""));
+        tick(value, fmt::format("{:g}{}", value, value == max_whole ? "+" : ""));
       }
     else
       for (const double value : log_ticks(low_, high_))
@@ -169,8 +169,8 @@ class HistogramDrawing {
   const HistogramPlace& place_;
   const Histogram& histogram_;
   const Bars bars_;
-  double low_ = 0.0, high_ = 1.0, most_ = 1.0;  ///< ends of the axes
-  double label_end_ = -1e300;                   ///< of the last label of the x axis
+  double low_ = 0.0, high_ = 1.0, max_ = 1.0;  ///< ends of the axes
+  double label_end_ = -1e300;                  ///< of the last label of the x axis
 };
 
 }  // namespace

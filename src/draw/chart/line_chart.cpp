@@ -169,9 +169,9 @@ class ChartDrawing : ChartLayout {
           positive.include(value > 0.0 ? value : std::nan(""));
         }
     }
-    constexpr int most_decades = 16;  // doubles resolve no more
+    constexpr int max_decades = 16;  // doubles resolve no more
     if (one.logarithmic && !positive.empty())
-      return ValueRange::of_decades(positive.low, positive.high, most_decades);
+      return ValueRange::of_decades(positive.low, positive.high, max_decades);
     if (bars)
       y.include(0.0);
     if (y.empty())
@@ -312,9 +312,9 @@ class ChartDrawing : ChartLayout {
     for (const ChartKey& key : all)
       widest = std::max(widest, pen_.width(key.words, 13));
     const double x = std::clamp(page - right - 36 - widest, 14.0, left);
-    for (std::size_t i = 0; i < std::min(all.size(), most_keys); ++i) {
+    for (std::size_t i = 0; i < std::min(all.size(), max_keys); ++i) {
       y += key_line;
-      if (i + 1 == most_keys && all.size() > most_keys) {
+      if (i + 1 == max_keys && all.size() > max_keys) {
         pen_.text(fmt::format("and {} more", all.size() - i), x, y - 10, 13, muted, 0,
                   0.5);
         return;

@@ -24,7 +24,7 @@ class RoseDrawing {
     for (const auto& [id, one] : directions.groups)
       for (std::size_t k = 0; k < sum_.size(); ++k)
         sum_[k] += one.sectors[k];
-    most_ = *std::max_element(sum_.begin(), sum_.end());
+    max_ = *std::max_element(sum_.begin(), sum_.end());
   }
 
   void draw() {
@@ -45,7 +45,7 @@ class RoseDrawing {
  private:
   /// Returns the radius that encloses a share of all lengths in one sector.
   double radius(double share) const {
-    return place_.radius * std::sqrt(std::min(share / most_, 1.0));
+    return place_.radius * std::sqrt(std::min(share / max_, 1.0));
   }
   Eigen::Vector2d at(double degrees, double r) const {
     const double angle = degrees * std::numbers::pi / 180.0;
@@ -72,7 +72,7 @@ class RoseDrawing {
   void rings() {
     constexpr double gap = 9;
     double last = 0.0;
-    for (const double percent : nice_ticks(0.0, 100.0 * most_, 4)) {
+    for (const double percent : nice_ticks(0.0, 100.0 * max_, 4)) {
       const double r = radius(percent / 100.0);
       if (percent <= 0.0)
         continue;
@@ -160,7 +160,7 @@ class RoseDrawing {
   const RosePlace& place_;
   const Directions& directions_;
   std::vector<double> sum_;  ///< of all groups, by sector
-  double most_ = 0.0;        ///< the largest of them
+  double max_ = 0.0;         ///< the largest of them
 };
 
 std::string percent_text(double share) {
@@ -184,8 +184,8 @@ void draw_rose(Pen& pen, const RosePlace& place, const Directions& directions) {
 }
 
 double rose_legend_height(const Directions& directions) {
-  return rose_entry * static_cast<double>(
-                          std::min(directions.groups.size(), most_joints_listed + 1));
+  return rose_entry *
+         static_cast<double>(std::min(directions.groups.size(), max_joints_listed + 1));
 }
 
 void draw_rose_legend(Pen& pen, double x, double top, double width,
@@ -195,10 +195,9 @@ void draw_rose_legend(Pen& pen, double x, double top, double width,
   double y = top;
   std::size_t listed = 0;
   for (const auto& [id, one] : directions.groups) {
-    if (++listed > most_joints_listed) {
-      pen.text(
-          fmt::format("and {} more", directions.groups.size() - most_joints_listed),
-          x + indent, y + 8, letter, ink, 0, 0.5, width - indent);
+    if (++listed > max_joints_listed) {
+      pen.text(fmt::format("and {} more", directions.groups.size() - max_joints_listed),
+               x + indent, y + 8, letter, ink, 0, 0.5, width - indent);
       return;
     }
     cairo_rectangle(pen.cairo(), x, y, 20, 15);

@@ -11,8 +11,8 @@ RoseLayout::RoseLayout(double legend_high, std::size_t histograms, const PageSiz
                        bool titled)
     : plots(histograms) {
   constexpr double narrow = 620, edge = 22;
-  constexpr double usual_radius = 262, least_radius = 60;
-  constexpr double usual_plot = 190, least_plot = 50;
+  constexpr double usual_radius = 262, min_radius = 60;
+  constexpr double usual_plot = 190, min_plot = 50;
   is_narrow = page.width < narrow;
   left = page.printed ? 14 : edge;
   title = page.printed ? 24 : 34, subtitle = page.printed ? 44 : 62;
@@ -39,7 +39,7 @@ RoseLayout::RoseLayout(double legend_high, std::size_t histograms, const PageSiz
     radius = std::min(radius, radius + std::min(0.0, 0.5 * spare));
     plot += (page.height - needed()) / rows;
   }
-  if (radius < least_radius || plot < least_plot)
+  if (radius < min_radius || plot < min_plot)
     throw std::runtime_error(
         "the size leaves no room for the rose and the histograms: choose a larger "
         "size");

@@ -14,13 +14,13 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The least force that can split a block of each material, [F].
-std::map<int, double> least_forces(const Settings& settings, double part) {
-  std::map<int, double> least;
+std::map<int, double> min_forces(const Settings& settings, double part) {
+  std::map<int, double> min;
   for (const auto& [material, rule] : settings.crack_rules)
     if (rule.point_strength > 0.0)
-      least[material] = 0.5 * std::numbers::pi * rule.point_strength * part *
-                        std::sqrt(rule.least_area);
-  return least;
+      min[material] = 0.5 * std::numbers::pi * rule.point_strength * part *
+                      std::sqrt(rule.min_area);
+  return min;
 }
 
 auto first_of(const std::vector<std::pair<int, PointLoad>>& loads, int b) {
@@ -33,8 +33,8 @@ auto first_of(const std::vector<std::pair<int, PointLoad>>& loads, int b) {
 
 ContactLoads::ContactLoads(const Model& model, double part) {
   const Blocks& blocks = model.blocks;
-  const std::map<int, double> least = least_forces(model.settings, part);
-  if (least.empty())
+  const std::map<int, double> min = min_forces(model.settings, part);
+  if (min.empty())
     return;
   int material = 0;
   double enough = infinite;
@@ -42,8 +42,8 @@ ContactLoads::ContactLoads(const Model& model, double part) {
     const int b = blocks.corner_block[corner];
     if (blocks.material[b] != material) {
       material = blocks.material[b];
-      const auto found = least.find(material);
-      enough = found == least.end() ? infinite : found->second;
+      const auto found = min.find(material);
+      enough = found == min.end() ? infinite : found->second;
     }
     if (blocks.is_free(b) && force.squaredNorm() >= enough * enough)
       loads_.emplace_back(b, PointLoad{at, force});

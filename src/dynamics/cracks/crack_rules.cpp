@@ -10,7 +10,7 @@ namespace blocks::dynamics {
 namespace {
 
 /// The cosine of 20 degrees.
-constexpr double least_cosine = 0.93969262078590838;
+constexpr double min_cosine = 0.93969262078590838;
 
 /// A symmetric tensor as its mean, half the difference of its normal components, and
 /// its shear.
@@ -68,8 +68,8 @@ std::vector<CrackDemand> cracks_by_point_loads(const std::vector<PointLoad>& loa
         continue;
       const double first = loads[i].force.dot(chord) / length;
       const double second = -loads[k].force.dot(chord) / length;
-      if (!(first >= least_cosine * loads[i].force.norm()) ||
-          !(second >= least_cosine * loads[k].force.norm()))
+      if (!(first >= min_cosine * loads[i].force.norm()) ||
+          !(second >= min_cosine * loads[k].force.norm()))
         continue;
       const double stress = 2.0 * std::min(first, second) / (std::numbers::pi * length);
       if (stress >= rule.point_strength)

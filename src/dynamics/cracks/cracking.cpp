@@ -25,7 +25,7 @@ namespace {
 constexpr double near_part = 0.05;
 
 double near_distance(const CrackRule& rule) {
-  return near_part * std::sqrt(rule.least_area);
+  return near_part * std::sqrt(rule.min_area);
 }
 
 /// The rules by block, looked up only when the material changes.
@@ -52,7 +52,7 @@ class RulesOfBlocks {
 /// large as all of the block there; corners that crossings move to change that area by
 /// at most the length of the chord times `near`.
 bool is_certainly_small(const Blocks& blocks, int b, const geometry::SplitLine& line,
-                        double least_area) {
+                        double min_area) {
   if (!blocks.convex[b])
     return false;  // a piece may lie on both sides of the line
   const Vec2 along = line.along.normalized();
@@ -72,7 +72,7 @@ bool is_certainly_small(const Blocks& blocks, int b, const geometry::SplitLine& 
     (v < 0.0 ? right : left) += second;
   }
   const double allowance = 2.0 * line.near * 2.0 * size + 1e-9 * size * size;
-  return std::min(std::abs(left), std::abs(right)) + allowance < least_area;
+  return std::min(std::abs(left), std::abs(right)) + allowance < min_area;
 }
 
 /// Returns whether both ends of a chord have moved to one side of an outline with n
@@ -153,10 +153,10 @@ class Cracking {
       return refuse(b, CrackRefusal::full);
     geometry::SplitLine line = demand.line;
     line.near = near_distance(rule);
-    if (is_certainly_small(blocks, b, line, rule.least_area))
+    if (is_certainly_small(blocks, b, line, rule.min_area))
       return refuse(b, CrackRefusal::small);
     geometry::Split cut =
-        geometry::split_outline(blocks.outline(b), line, rule.least_area);
+        geometry::split_outline(blocks.outline(b), line, rule.min_area);
     switch (cut.fault) {
     case geometry::SplitFault::none:
       break;
@@ -177,7 +177,7 @@ class Cracking {
     BlockSplit split = pieces_of(blocks, b, std::move(cut));
     if (!settings.rigid)
       for (const Piece& piece : split.pieces)
-        if (thickness_of(piece) < least_thickness_of_pieces(rule.least_area))
+        if (thickness_of(piece) < min_thickness_of_pieces(rule.min_area))
           return refuse(b, CrackRefusal::thin);
     split.joint = rule.joint;
     record(b, demand, split);

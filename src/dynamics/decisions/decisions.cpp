@@ -127,10 +127,10 @@ double Decisions::motion_since(const Blocks& blocks,
     return bounds.turn(blocks, pose.block, pose.gradient.data());
   };
   const Vec2 own = shift(kept.front());
-  double most = 0.0;
+  double max = 0.0;
   for (const KeptPose& pose : kept)
-    most = std::max(most, 1.0000001 * (shift(pose) - own).norm() + turn(pose));
-  return most + turn(kept.front());
+    max = std::max(max, 1.0000001 * (shift(pose) - own).norm() + turn(pose));
+  return max + turn(kept.front());
 }
 
 double Decisions::renewal_motion(int low, int high) const {
@@ -139,7 +139,7 @@ double Decisions::renewal_motion(int low, int high) const {
 
 double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts,
                                    const std::vector<KeptDepth>& depths) const {
-  double least = infinite;
+  double min = infinite;
   for (const KeptDepth& kept : depths) {
     const int own = parts.first_part(kept.own_block) + kept.own_part,
               other = parts.first_part(kept.other_block) + kept.other_part;
@@ -159,9 +159,9 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
         bounds.stretch(blocks, kept.other_block) * bounds.longest[kept.other_block];
     const double slowness = (bounds.rigid ? 1.0 : 0.25) *
                             std::min(1.0, 2.0 * bounds.longest[kept.own_block] / away);
-    least = std::min(least, slowness * std::min(depth - kept.least, kept.most - depth));
+    min = std::min(min, slowness * std::min(depth - kept.min, kept.max - depth));
   }
-  return least;
+  return min;
 }
 
 void Decisions::postpone(const NearPair& pair, int p, double motion,

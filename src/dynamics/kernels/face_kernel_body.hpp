@@ -17,8 +17,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   for (int p = 0; p < 2; ++p) {
     load_part(pairs, blocks, p, i, two[p]);
     longest[p] = load(pairs.longest[p], i);
-    farthest =
-        most(farthest, most(absolute(two[p].x), absolute(two[p].y)) + longest[p]);
+    farthest = max(farthest, max(absolute(two[p].x), absolute(two[p].y)) + longest[p]);
   }
   const Margins margins = {0x1p-46 * farthest};
   store(answers.rounding, i, margins.rounding);
@@ -36,10 +35,9 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
       find_axes(two[1], two[0], count, margins, one, depth, part, side);
   // There is no margin if the square of a length may overflow or underflow.
   const Mask proper =
-      (least(two[0].shortest, two[1].shortest) > smallest) & (farthest < largest);
-  const Pack max_validity =
-      proper ? 0.125 * least(longest[0], longest[1]) : Pack{} - 1.0;
-  store(answers.apart, i, least(most(of_first, of_second), max_validity));
+      (min(two[0].shortest, two[1].shortest) > smallest) & (farthest < largest);
+  const Pack max_validity = proper ? 0.125 * min(longest[0], longest[1]) : Pack{} - 1.0;
+  store(answers.apart, i, min(max(of_first, of_second), max_validity));
   store(answers.own, i, part);
   store(answers.side, i, side);
 
@@ -81,7 +79,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const EndsBelow e_below(own, count, side, after(side, n), e, e_after, f, margins);
 
   // An angle changes by at most the motion divided by twice the shorter longest arm.
-  const Pack arm = 2.0 * least(longest[0], longest[1]) * strict;
+  const Pack arm = 2.0 * min(longest[0], longest[1]) * strict;
   const auto of_angle = [&](Pack value) __attribute__((always_inline)) {
     return (value - 1e-12) * arm;
   };
@@ -99,26 +97,25 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
 
   // The axes of f are those of the same two faces, or they are deeper.
   const Pack same_faces =
-      least(e_below.are_deepest, least(steeper(f, e_before), steeper(f, e_after)));
+      min(e_below.are_deepest, min(steeper(f, e_before), steeper(f, e_after)));
   const Pack f_is_deeper = f_below.less_than(f.depth, f.slowness_of_depth, margins);
   const Mask short_e = e.length < 0.2 * f.length, short_f = f.length < 0.2 * e.length;
-  const Pack ends_of_e = least(off_ends(f, e, margins), off_ends(f, e_after, margins));
-  const Pack ends_of_f = least(off_ends(e, f, margins), off_ends(e, f_end, margins));
+  const Pack ends_of_e = min(off_ends(f, e, margins), off_ends(f, e_after, margins));
+  const Pack ends_of_f = min(off_ends(e, f, margins), off_ends(e, f_end, margins));
   const Pack not_at_ends = short_e ? ends_of_e : (short_f ? ends_of_f : Pack{} + never);
 
   const ContactPoint point(e, f, f_end, faces);
   const Pack slowness = 0.5 * strict;
-  const Pack two_faces = least(least(of_angle(facing_sine - slope.sine),
-                                     least(steeper(e, f_before), steeper(e, f_after))),
-                               least(least(most(same_faces, f_is_deeper), not_at_ends),
-                                     margins.of(point.half, slowness)));
+  const Pack two_faces = min(min(of_angle(facing_sine - slope.sine),
+                                 min(steeper(e, f_before), steeper(e, f_after))),
+                             min(min(max(same_faces, f_is_deeper), not_at_ends),
+                                 margins.of(point.half, slowness)));
   const Pack foot = along(e, f.x, f.y);
-  const Pack between = margins.of(least(foot, e.length - foot), slowness);
-  const Pack one_corner =
-      least(least(no_face(of_corner), no_face(of_previous)), between);
+  const Pack between = margins.of(min(foot, e.length - foot), slowness);
+  const Pack one_corner = min(min(no_face(of_corner), no_face(of_previous)), between);
   store(answers.faces, i,
-        least(least(faces ? two_faces : one_corner, f_below.are_deepest),
-              least(others_are_deeper, max_validity)));
+        min(min(faces ? two_faces : one_corner, f_below.are_deepest),
+            min(others_are_deeper, max_validity)));
   store(answers.facing, i, facing_or_none);
   store(answers.corner, i, corner);
   store(answers.x, i, point.x);
@@ -127,7 +124,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   // depth.
   const Pack off = faces ? 1.05 * slope.sine * slope.sine * point.half : Pack{};
   store(answers.reach, i,
-        widest_joint * least(two[0].longest, two[1].longest) +
+        widest_joint * min(two[0].longest, two[1].longest) +
             1.25 * absolute(point.depth) + off);
 
   store(answers.beyond[0], i, beyond(e, f, margins));

@@ -15,8 +15,8 @@ constexpr double slack = geometry::contact_slack;
 constexpr double facing_sine = geometry::facing_sine;
 constexpr double widest_joint = geometry::widest_joint;
 
-BLOCKS_INLINE Pack least(Pack a, Pack b) { return a < b ? a : b; }
-BLOCKS_INLINE Pack most(Pack a, Pack b) { return a > b ? a : b; }
+BLOCKS_INLINE Pack min(Pack a, Pack b) { return a < b ? a : b; }
+BLOCKS_INLINE Pack max(Pack a, Pack b) { return a > b ? a : b; }
 
 /// Corner k of a part and the side that starts there.
 struct FacingSide {
@@ -75,7 +75,7 @@ struct Margins {
   /// The margin by which one depth is larger than another one.
   BLOCKS_INLINE Pack deeper(Pack one, Pack slowness, Pack other,
                             Pack other_slowness) const {
-    return of(one - other, 0.5 * least(slowness, other_slowness));
+    return of(one - other, 0.5 * min(slowness, other_slowness));
   }
 };
 
@@ -110,8 +110,8 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
     const Mask is_side = static_cast<double>(k) < to.corners;
     const Pack per_length = is_side ? 1.0 / s.length : Pack{};
     s.ux = x * per_length, s.uy = y * per_length;
-    to.shortest = is_side ? least(to.shortest, s.length) : to.shortest;
-    to.longest = is_side ? most(to.longest, s.length) : to.longest;
+    to.shortest = is_side ? min(to.shortest, s.length) : to.shortest;
+    to.longest = is_side ? max(to.longest, s.length) : to.longest;
   }
 }
 
@@ -122,7 +122,7 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
 BLOCKS_INLINE Pack slowness_of(Pack x, Pack y, const Part& other, Pack longest,
                                Pack strict) {
   const Pack distance = absolute(x - other.x) + absolute(y - other.y);
-  return strict * least(Pack{} + 1.0, 2.0 * longest / distance);
+  return strict * min(Pack{} + 1.0, 2.0 * longest / distance);
 }
 
 /// Finds the depth of the axis of each side of `own`. Updates the least depth so far,
@@ -137,13 +137,13 @@ BLOCKS_INLINE Pack find_axes(Part& own, const Part& other, int count,
     for (int j = 0; j < count; ++j) {
       const FacingSide& c = other.side[j];
       const Pack d = depth_below(s, c.x, c.y);
-      away = least(away, margins.of(-d - slack * s.length, c.slowness));
+      away = min(away, margins.of(-d - slack * s.length, c.slowness));
       const Mask deeper = d > deepest;
       deepest = deeper ? d : deepest, slowness = deeper ? c.slowness : slowness;
     }
     const Mask is_side = static_cast<double>(k) < own.corners;
     s.depth = is_side ? deepest : Pack{} + never, s.slowness_of_depth = slowness;
-    apart = is_side ? most(apart, away) : apart;
+    apart = is_side ? max(apart, away) : apart;
     const Mask less = s.depth < depth;
     depth = less ? s.depth : depth;
     part = less ? number_of_part : part;
@@ -191,14 +191,14 @@ struct EndsBelow {
       const Mask other = (number != start) & (number != end) & (number < part.corners);
       const Pack margin = margins.deeper(deepest, slowness_of_deepest,
                                          depth_below(e, c.x, c.y), c.slowness);
-      are_deepest = other ? least(are_deepest, margin) : are_deepest;
+      are_deepest = other ? min(are_deepest, margin) : are_deepest;
     }
   }
   /// Returns the margin by which an axis is deeper than both ends.
   BLOCKS_INLINE Pack less_than(Pack axis, Pack slowness_of_axis,
                                const Margins& margins) const {
-    return least(margins.deeper(axis, slowness_of_axis, depth[0], slowness[0]),
-                 margins.deeper(axis, slowness_of_axis, depth[1], slowness[1]));
+    return min(margins.deeper(axis, slowness_of_axis, depth[0], slowness[0]),
+               margins.deeper(axis, slowness_of_axis, depth[1], slowness[1]));
   }
 };
 
@@ -213,7 +213,7 @@ struct ContactPoint {
                              const FacingSide& f_end, Mask faces) {
     // The two sides run against each other.
     const Pack high = along(e, f.x, f.y), low = along(e, f_end.x, f_end.y);
-    const Pack first = most(low, Pack{}), last = least(high, e.length);
+    const Pack first = max(low, Pack{}), last = min(high, e.length);
     const Pack at = faces ? 0.5 * (first + last) : high;
     const Pack on_f = faces ? (high - at) / (high - low) : Pack{};
     half = 0.5 * (last - first);
@@ -233,8 +233,8 @@ BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
     const FacingSide &s = own.side[k], &t = other.side[k];
     const Pack of_own = ends.less_than(s.depth, s.slowness_of_depth, margins);
     const Pack of_other = ends.less_than(t.depth, t.slowness_of_depth, margins);
-    all = (number < own.corners) & (number != side) ? least(all, of_own) : all;
-    all = (number < other.corners) & (number != facing) ? least(all, of_other) : all;
+    all = (number < own.corners) & (number != side) ? min(all, of_own) : all;
+    all = (number < other.corners) & (number != facing) ? min(all, of_other) : all;
   }
   return all;
 }
@@ -244,7 +244,7 @@ BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
 BLOCKS_INLINE Pack beyond(const FacingSide& e, const FacingSide& corner,
                           const Margins& margins) {
   const Pack foot = along(e, corner.x, corner.y);
-  return margins.of(most(-foot, foot - e.length) - slack * e.length, corner.slowness);
+  return margins.of(max(-foot, foot - e.length) - slack * e.length, corner.slowness);
 }
 
 /// Returns the margin by which the foot of a corner is away from both ends of a long
@@ -252,7 +252,7 @@ BLOCKS_INLINE Pack beyond(const FacingSide& e, const FacingSide& corner,
 BLOCKS_INLINE Pack off_ends(const FacingSide& e, const FacingSide& corner,
                             const Margins& margins) {
   const Pack foot = along(e, corner.x, corner.y);
-  return margins.of(least(absolute(foot), absolute(foot - e.length)) -
+  return margins.of(min(absolute(foot), absolute(foot - e.length)) -
                         2.0 * slack * e.length,
                     corner.slowness);
 }

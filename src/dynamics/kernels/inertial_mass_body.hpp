@@ -63,7 +63,7 @@ struct StrainMass {
     trace = m.xx + m.yy;
     // In a sliver the determinant is lost in round-off.
     determinant =
-        larger(m.xx * m.yy - m.xy * m.xy, least_moment_share * (0.5 * (trace * trace)));
+        larger(m.xx * m.yy - m.xy * m.xy, min_moment_share * (0.5 * (trace * trace)));
   }
   /// Returns the strain accelerations e under the stresses s, (M e + e M) / 2 = s.
   BLOCKS_INLINE Symmetric accelerations(const Symmetric& s) const {

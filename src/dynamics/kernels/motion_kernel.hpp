@@ -53,7 +53,7 @@ struct Rectangle {
 /// The smaller principal second moment of a block counts as at least this part of the
 /// mean of both. This concerns slivers thinner than about a millionth of their length,
 /// whose smaller moment is lost in round-off.
-inline constexpr double least_moment_share = 1e-12;
+inline constexpr double min_moment_share = 1e-12;
 
 /// The largest number of blocks in one call of move().
 inline constexpr int max_at_once = 64;

@@ -22,10 +22,10 @@ Face::Face(const Blocks& blocks, int e, int f)
   along_ /= length_;
 }
 
-bool Face::is_flush(double tolerance, double least) const {
+bool Face::is_flush(double tolerance, double min) const {
   const Vec2 other = at(blocks_.next[f_]) - at(f_);
   return along_.dot(other) <= -geometry::face_cosine * other.norm() &&
-         high() - low() > least && end(true, slack(tolerance)).gap <= tolerance &&
+         high() - low() > min && end(true, slack(tolerance)).gap <= tolerance &&
          end(false, slack(tolerance)).gap <= tolerance;
 }
 

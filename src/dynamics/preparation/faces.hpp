@@ -24,8 +24,8 @@ class Face {
 
   /// Returns whether the two sides are flush: they face each other (within 18 degrees)
   /// and are at most `tolerance` [L] apart at both ends of their common part. That part
-  /// must be longer than `least` [L].
-  bool is_flush(double tolerance, double least) const;
+  /// must be longer than `min` [L].
+  bool is_flush(double tolerance, double min) const;
   /// Returns the distance along the face within which two corners share an end, [L].
   /// is_flush() and BOND use it. INSITU loads ends with `same_point` (face_loads.hpp).
   double slack(double tolerance) const;

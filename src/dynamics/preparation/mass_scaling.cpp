@@ -78,7 +78,7 @@ MassFactors mass_factors(const Blocks& blocks) {
     if (!blocks.is_free(b))
       continue;
     const double scale = blocks.scale[b];
-    factors.least = first ? scale : std::min(factors.least, scale);
+    factors.min = first ? scale : std::min(factors.min, scale);
     factors.largest = first ? scale : std::max(factors.largest, scale);
     first = false;
   }

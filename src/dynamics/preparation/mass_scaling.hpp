@@ -27,7 +27,7 @@ void count_time_from_here(Model& model);
 /// The smallest and the largest entry of Blocks::scale of free blocks; 1 if masses are
 /// not scaled.
 struct MassFactors {
-  double least = 1.0, largest = 1.0;
+  double min = 1.0, largest = 1.0;
 };
 MassFactors mass_factors(const Blocks& blocks);
 

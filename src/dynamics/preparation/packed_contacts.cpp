@@ -73,7 +73,7 @@ class Counter {
   }
   /// A contact is on the outline, however far from it the point is.
   void add_if_near(int b, const Vec2& point) {
-    double least = square_;
+    double min = square_;
     std::optional<Vec2> on_side;
     for (int c = blocks_.first_corner[b]; c < blocks_.first_corner[b + 1]; ++c) {
       const Vec2 corner = blocks_.corner.col(c);
@@ -83,8 +83,8 @@ class Counter {
         return;
       }
       const Vec2 nearest = nearest_on_side(blocks_, c, point);
-      if (const double distance = (nearest - point).squaredNorm(); distance <= least)
-        least = distance, on_side = nearest;
+      if (const double distance = (nearest - point).squaredNorm(); distance <= min)
+        min = distance, on_side = nearest;
     }
     if (on_side)
       add(b, *on_side, 1.0);

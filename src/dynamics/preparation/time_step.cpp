@@ -100,10 +100,10 @@ class ContactStiffness {
 };
 
 /// The least area of a piece of block b; infinite if the block does not split.
-double least_piece(const Settings& settings, const Blocks& blocks, int b) {
+double min_piece(const Settings& settings, const Blocks& blocks, int b) {
   const auto rule = settings.crack_rules.find(blocks.material[b]);
   return rule == settings.crack_rules.end() ? std::numeric_limits<double>::infinity()
-                                            : rule->second.least_area;
+                                            : rule->second.min_area;
 }
 
 /// A step that one block allows.
@@ -123,10 +123,10 @@ class BlockSteps {
   /// Returns the step (4) with the mass of block b or, if it may split, of its smallest
   /// piece. The strain of a piece when it split off does not count.
   BlockStep by_contacts(int b) const {
-    const double least = least_piece(settings_, blocks_, b);
+    const double min = min_piece(settings_, blocks_, b);
     double mass = blocks_.mass[b];
-    if (blocks_.area[b] >= least)
-      mass = settings_.materials.at(blocks_.material[b]).density * least;
+    if (blocks_.area[b] >= min)
+      mass = settings_.materials.at(blocks_.material[b]).density * min;
     const double constant =
         std::max(settings_.normal_stiffness, settings_.shear_stiffness);
     const double k = std::max(shares_[b] * constant, stiffness_.of(blocks_, b));
@@ -137,7 +137,7 @@ class BlockSteps {
   BlockStep by_strain(int b) const {
     const auto moment = blocks_.second_moment.col(b);
     const double whole = thickness({moment[0], moment[1], moment[3]}, blocks_.mass[b]);
-    const double piece = least_thickness_of_pieces(least_piece(settings_, blocks_, b));
+    const double piece = min_thickness_of_pieces(min_piece(settings_, blocks_, b));
     const Material& material = settings_.materials.at(blocks_.material[b]);
     const double z = material.damping;
     // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
@@ -165,7 +165,7 @@ Vec2 extent(const Blocks& blocks, int b) {
   return corners.rowwise().maxCoeff() - corners.rowwise().minCoeff();
 }
 
-double least_width(const Blocks& blocks, int b) {
+double min_width(const Blocks& blocks, int b) {
   const auto corners =
       blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
   const Vec2 inside = blocks.centroid.col(b);
@@ -173,26 +173,24 @@ double least_width(const Blocks& blocks, int b) {
   // The least width is at right angles to a side of the convex hull, which joins two
   // corners.
   const int reach = blocks.convex[b] ? 1 : n - 1;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)
     for (int k = 1; k <= reach; ++k) {
       const Vec2 along = (corners.col((i + k) % n) - corners.col(i)).normalized();
       const Vec2 normal(-along.y(), along.x());
       const Eigen::RowVectorXd across =
           normal.transpose() * (corners.colwise() - inside);
-      least = std::min(least, across.maxCoeff() - across.minCoeff());
+      min = std::min(min, across.maxCoeff() - across.minCoeff());
     }
-  return least;
+  return min;
 }
 
 double thickness(const Eigen::Vector3d& second_moment, double mass) {
-  return std::sqrt(12.0 * geometry::smaller_moment(second_moment, least_moment_share) /
+  return std::sqrt(12.0 * geometry::smaller_moment(second_moment, min_moment_share) /
                    mass);
 }
 
-double least_thickness_of_pieces(double least_area) {
-  return 0.5 * std::sqrt(least_area);
-}
+double min_thickness_of_pieces(double min_area) { return 0.5 * std::sqrt(min_area); }
 
 TimeStep choose_time_step(const Model& model) {
   const Blocks& blocks = model.blocks;

@@ -12,7 +12,7 @@ namespace blocks::dynamics {
 /// the step is at most half the smallest l sqrt(rho / C11) over the free blocks, with
 /// l = thickness(). MDAMP multiplies that by sqrt(1 + z^2) - z. If the blocks of a
 /// material may split, their pieces count: masses of the least area, and
-/// least_thickness_of_pieces(). So no crack changes the time step.
+/// min_thickness_of_pieces(). So no crack changes the time step.
 TimeStep choose_time_step(const Model& model);
 
 /// Returns the step that each free block would allow by itself, [T] (n); 0 for other
@@ -30,13 +30,13 @@ double thickness(const Eigen::Vector3d& second_moment, double mass);
 /// Returns the least thickness of the pieces of a deformable block, half the square
 /// root of the least area, [L]. Thinner pieces are refused
 /// (docs/cracks.md#the-time-step).
-double least_thickness_of_pieces(double least_area);
+double min_thickness_of_pieces(double min_area);
 
 /// Returns the extents of the current corners of block b along x and y, [L].
 Vec2 extent(const Blocks& blocks, int b);
 
 /// Returns the least distance of two parallel lines that have all current corners of
 /// block b between them, [L].
-double least_width(const Blocks& blocks, int b);
+double min_width(const Blocks& blocks, int b);
 
 }  // namespace blocks::dynamics

@@ -50,12 +50,12 @@ class KeptDepths {
   static constexpr double sign_per_slack =
       geometry::renewal_of_sign / geometry::contact_slack;
 
-  void add(const Axis& axis, double least, double most) {
+  void add(const Axis& axis, double min, double max) {
     const int own = shape_.part(axis.side.part), other = shape_.part(axis.corner.part);
     const int own_block = parts_.block(own), other_block = parts_.block(other);
     kept_.push_back({own_block, own - parts_.first_part(own_block), other_block,
-                     other - parts_.first_part(other_block), axis.side.index, least,
-                     most});
+                     other - parts_.first_part(other_block), axis.side.index, min,
+                     max});
   }
   /// [L] the slack of the side of an axis
   double slack(const Axis& axis) const {

@@ -169,10 +169,10 @@ class PairRule {
   /// Returns whether a corner is far below a side.
   bool is_far(const PairSide& corner, const PairSide& side) {
     const geometry::filter::Estimate &depth = shape_.depth(side, corner.index),
-                                     &least_depth = shape_.depth(least_axis_);
+                                     &min_depth = shape_.depth(least_axis_);
     if (!with_.far_axes ||
         depth.value + depth.bound <=
-            geometry::deepest_share * (least_depth.value - least_depth.bound))
+            geometry::deepest_share * (min_depth.value - min_depth.bound))
       return false;
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;

@@ -150,12 +150,12 @@ class PairShape {
   /// Removes the least axis from a list and returns it. Of equally deep axes it is the
   /// one that was found first.
   Axis take_least(std::vector<Axis>& axes) {
-    std::size_t least = 0;
+    std::size_t min = 0;
     for (std::size_t i = 1; i < axes.size(); ++i)
-      if (is_less(axes[i], axes[least]))
-        least = i;
-    const Axis axis = axes[least];
-    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
+      if (is_less(axes[i], axes[min]))
+        min = i;
+    const Axis axis = axes[min];
+    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(min));
     return axis;
   }
   /// Returns whether the first axis is less deep than the second one.

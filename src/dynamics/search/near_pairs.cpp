@@ -22,10 +22,10 @@ class Grid {
     for (int b = 1; b < blocks.size(); ++b)
       lower_ = lower_.cwiseMin(boxes.lower[b]), upper = upper.cwiseMax(boxes.upper[b]);
     const Vec2 extent = upper - lower_;
-    const double most = std::max(1.0, cells_per_block * blocks.size());
+    const double max = std::max(1.0, cells_per_block * blocks.size());
     const double side =
         std::max({1.5 * blocks.area.array().sqrt().mean(),
-                  std::sqrt(extent.x() * extent.y() / most), extent.maxCoeff() / most});
+                  std::sqrt(extent.x() * extent.y() / max), extent.maxCoeff() / max});
     per_length_ = side > 0.0 ? 1.0 / side : 0.0;
     columns = index(extent.x(), 1 << 30) + 1;
     rows = index(extent.y(), 1 << 30) + 1;

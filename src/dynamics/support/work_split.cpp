@@ -8,8 +8,8 @@ namespace {
 /// With fewer items than this, another thread costs more time than it saves.
 constexpr int batches_per_thread = 128, blocks_per_thread = 128;
 
-int shares_of(int threads, int count, int least) {
-  return std::max(1, std::min(threads, count / least));
+int shares_of(int threads, int count, int min) {
+  return std::max(1, std::min(threads, count / min));
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ Workers::~Workers() {
     other.join();
 }
 
-void Workers::split_evenly(int count, int least) {
-  const int shares = std::max(1, std::min(threads(), count / least));
+void Workers::split_evenly(int count, int min) {
+  const int shares = std::max(1, std::min(threads(), count / min));
   begins_.resize(static_cast<std::size_t>(shares) + 1);
   for (int k = 0; k <= shares; ++k)
     begins_[static_cast<std::size_t>(k)] = static_cast<int>(long{count} * k / shares);

@@ -43,10 +43,10 @@ class Workers {
     };
     run({call, &work, begins.data(), shares});
   }
-  /// The same for `count` items in equal shares, each of at least `least` items if
+  /// The same for `count` items in equal shares, each of at least `min` items if
   /// there are as many.
-  template <class Work> void each_evenly(int count, int least, const Work& work) {
-    split_evenly(count, least);
+  template <class Work> void each_evenly(int count, int min, const Work& work) {
+    split_evenly(count, min);
     each(begins_, work);
   }
 
@@ -82,7 +82,7 @@ class Workers {
   struct alignas(64) Share {
     std::atomic<std::uint64_t> next = ~std::uint64_t{0};
   };
-  void split_evenly(int count, int least);
+  void split_evenly(int count, int min);
   void run(const Task& task);
   void take_pieces(int thread, std::uint32_t number);
   void serve(int thread);

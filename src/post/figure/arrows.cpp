@@ -12,7 +12,7 @@ using namespace draw;
 namespace {
 
 using Vector = Eigen::Vector2d;
-constexpr double longest_head = 9.0, least_open = 7.0;  // [page units]
+constexpr double longest_head = 9.0, min_open = 7.0;  // [page units]
 
 /// An arrow on the page.
 struct Arrow {
@@ -115,7 +115,7 @@ void draw_arrows(Pen& pen, const Half& half, const Picture& picture,
     const double head = head_of(arrow);
     // The open head of an arrow that leaves is seen however little of it is left.
     if (part && part->is_cut)
-      put(pen, *part, (arrow.to - arrow.from).normalized(), std::max(head, least_open));
+      put(pen, *part, (arrow.to - arrow.from).normalized(), std::max(head, min_open));
     else if (part && (part->to - part->from).norm() >= head)
       put(pen, *part, (arrow.to - arrow.from).normalized(), head);
   }

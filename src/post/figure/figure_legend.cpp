@@ -23,9 +23,9 @@ namespace {
 
 constexpr double line = 26;        ///< height of an entry
 constexpr double small_line = 19;  ///< height of an entry if there are many materials
-constexpr double least_bar = 170, most_bar = 460;
-constexpr double least_column = 32;  ///< width of an entry if there are many materials
-constexpr std::size_t few_materials = 10, most_materials = 90;
+constexpr double min_bar = 170, max_bar = 460;
+constexpr double min_column = 32;  ///< width of an entry if there are many materials
+constexpr std::size_t few_materials = 10, max_materials = 90;
 constexpr double cell = 116, cell_line = 20;  ///< an entry of a legend below
 constexpr double low_bar = 62;                ///< height of a bar in a legend below
 constexpr double tip_length = 6;              ///< of a bar that cuts values
@@ -45,11 +45,11 @@ int bars(const FigureScales& scales, const FigureOptions& options) {
          (scales.slip > 0.0 ? 1 : 0);
 }
 std::size_t columns_of(double width) {
-  return static_cast<std::size_t>(std::max(3.0, std::floor(width / least_column)));
+  return static_cast<std::size_t>(std::max(3.0, std::floor(width / min_column)));
 }
 double many_materials_height(std::size_t count, double width) {
-  const std::size_t shown = std::min(count, most_materials),
-                    columns = columns_of(width), rows = (shown + columns - 1) / columns;
+  const std::size_t shown = std::min(count, max_materials), columns = columns_of(width),
+                    rows = (shown + columns - 1) / columns;
   return static_cast<double>(rows + 1) * small_line + 10;
 }
 /// Returns the number of entries for joints: those listed, how many more there are, and
@@ -57,7 +57,7 @@ double many_materials_height(std::size_t count, double width) {
 std::size_t joint_entries(const FigureScales& scales) {
   const std::size_t count = scales.joints.size();
   const std::size_t bonds = scales.bonds.empty() ? 0 : scales.bonds.size() + 1;
-  return (count == 0 ? 0 : std::min(count, most_joints_listed + 1) + 1) + bonds;
+  return (count == 0 ? 0 : std::min(count, max_joints_listed + 1) + 1) + bonds;
 }
 double materials_height(std::size_t count) {
   return count <= few_materials ? static_cast<double>(count) * line
@@ -90,7 +90,7 @@ class Legend {
       arrow();
     const double room = place_.top + place_.height - y_;
     const double each =
-        std::clamp(room / std::max(1, bars(scales_, options_)), least_bar, most_bar);
+        std::clamp(room / std::max(1, bars(scales_, options_)), min_bar, max_bar);
     if (options_.shows_values()) {
       const Quantity shown = options_.shows_faces()
                                  ? face_quantity(options_.colour)
@@ -157,13 +157,13 @@ class Legend {
       return;
     std::size_t listed = 0;
     for (const int id : scales_.joints) {
-      if (++listed > most_joints_listed)
+      if (++listed > max_joints_listed)
         break;
       set_joint_dashes(pen_, id);
       line_swatch(joint_colour(id), 3.0, fmt::format("joint {}", id));
     }
-    if (scales_.joints.size() > most_joints_listed)
-      end_entry(fmt::format("and {} more", scales_.joints.size() - most_joints_listed));
+    if (scales_.joints.size() > max_joints_listed)
+      end_entry(fmt::format("and {} more", scales_.joints.size() - max_joints_listed));
     line_swatch(no_joint_colour, 1.0, "no joint");
   }
 
@@ -200,14 +200,14 @@ class Legend {
     end_cells();
     const std::size_t columns = columns_of(place_.below ? room() : 0.0);
     const double top = y_, across = room() / static_cast<double>(columns);
-    const bool all = present.size() <= most_materials;
+    const bool all = present.size() <= max_materials;
     const char* const name = options_.shows_families() ? "from blocks" : "materials";
     pen_.text(all ? name
-                  : fmt::format("{} of {} {}", most_materials, present.size(), name),
+                  : fmt::format("{} of {} {}", max_materials, present.size(), name),
               place_.x, y_ + 6, 14, ink, 0, 0.5, room());
     std::size_t i = 0;
     for (const int material : present) {
-      if (i == most_materials)
+      if (i == max_materials)
         break;
       const std::size_t column = i % columns, row = i / columns;
       const double x = place_.x + across * static_cast<double>(column);
@@ -367,7 +367,7 @@ double legend_height(const FigureScales& scales, const FigureOptions& options) {
          static_cast<double>(joint_entries(scales)) * line + (scales.fixed ? line : 0) +
          (scales.cracks ? line : 0) + (options.planes.empty() ? 0 : line) +
          (scales.water ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
-         bars(scales, options) * least_bar +
+         bars(scales, options) * min_bar +
          mark * static_cast<double>(options.mark_names.size());
 }
 

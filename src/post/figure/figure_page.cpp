@@ -20,7 +20,7 @@ namespace {
 
 constexpr double gap = 22, heading = 34;
 constexpr double narrow = 620;  ///< a printed page has the legend below the pictures
-constexpr double least_plot = 60;
+constexpr double min_plot = 60;
 constexpr Dimension length{1, 0, 0, "m", ""};
 
 std::size_t present(const Frame& frame) {
@@ -29,13 +29,13 @@ std::size_t present(const Frame& frame) {
 
 /// Returns the largest local ratio and its block; empty if they are not known or 0.
 std::string local_text(const Frame& now) {
-  double most = 0.0;
+  double max = 0.0;
   int block = 0;
   for (int b = 0; b < now.local_ratio.size(); ++b)
-    if (now.local_ratio[b] > most)
-      most = now.local_ratio[b], block = now.number[static_cast<std::size_t>(b)];
+    if (now.local_ratio[b] > max)
+      max = now.local_ratio[b], block = now.number[static_cast<std::size_t>(b)];
   return block > 0
-             ? fmt::format("    largest local ratio {:.2g} in block {}", most, block)
+             ? fmt::format("    largest local ratio {:.2g} in block {}", max, block)
              : "";
 }
 
@@ -45,11 +45,11 @@ std::string equilibrium_text(const Frame& now, const FigureOptions& options) {
   const QuantityKind* kind = quantities::find_quantity(options.colour);
   if (kind == nullptr || !quantities::is_of_equilibrium(kind->name))
     return "";
-  double most = 0.0;
+  double max = 0.0;
   int block = 0;
   for (int b = 0; b < now.unbalanced.size(); ++b)
-    if (now.unbalanced[b] > most)  // false for removed blocks, which have no value
-      most = now.unbalanced[b], block = now.number[static_cast<std::size_t>(b)];
+    if (now.unbalanced[b] > max)  // false for removed blocks, which have no value
+      max = now.unbalanced[b], block = now.number[static_cast<std::size_t>(b)];
   std::string text = fmt::format("    ratio {:.2g}", now.unbalanced_ratio);
   if (block > 0)
     text += fmt::format(", largest in block {}", block);
@@ -117,12 +117,11 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
   if (!options.page.printed)
     return;
   // Short numbers at the y axis leave more room for the picture.
-  constexpr double letter = 9, least = 18;  // [units]
+  constexpr double letter = 9, min = 18;  // [units]
   std::size_t longest = 0;
   for (const std::string& label : ticks_of(axes(0)).up.labels)
     longest = std::max(longest, label.size());
-  const double room =
-      std::clamp(letter * static_cast<double>(longest), least, numbers_);
+  const double room = std::clamp(letter * static_cast<double>(longest), min, numbers_);
   margins_.left -= numbers_ - room;
   numbers_ = room;
   lay_out();
@@ -171,7 +170,7 @@ void FigurePage::lay_out() {
     width_ = width;
     height_ = height;
   }
-  if (width_ < least_plot)
+  if (width_ < min_plot)
     throw std::runtime_error(
         "the size leaves no room for the picture beside its numbers and legend: choose "
         "a larger size, or fewer times on the sheet");
@@ -259,8 +258,8 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
       continue;
     // The last label may be wider than the margin.
     constexpr double edge = 4;
-    const double most = options_.page.width - edge - 0.5 * pen.width(xs.labels[i], 14);
-    pen.text(xs.labels[i], std::min(axes.x(xs.ticks[i]), most), axes.bottom() + 11, 14,
+    const double max = options_.page.width - edge - 0.5 * pen.width(xs.labels[i], 14);
+    pen.text(xs.labels[i], std::min(axes.x(xs.ticks[i]), max), axes.bottom() + 11, 14,
              ink, 0.5, 0);
   }
   for (std::size_t i = 0; i < ys.ticks.size(); ++i) {

@@ -84,8 +84,8 @@ void ScaleSurvey::include(const Picture& picture) {
   const auto include_values = [&](const Eigen::VectorXd& values) {
     for (const double value : values)
       if (std::isfinite(value)) {
-        least_ = std::min(least_, value);
-        most_ = std::max(most_, value);
+        min_ = std::min(min_, value);
+        max_ = std::max(max_, value);
       }
   };
   if (options_.shows_faces()) {
@@ -96,7 +96,7 @@ void ScaleSurvey::include(const Picture& picture) {
            valued_sides(options_.colour, picture, mirrored == 1)) {
         include_values(side.values);
         if (zero == Zero::lowest)
-          least_ = std::min(least_, 0.0);
+          min_ = std::min(min_, 0.0);
       }
   }
   if (options_.shows_quantity()) {
@@ -143,22 +143,22 @@ ValueRange ScaleSurvey::colours() const {
     if (!(range.low < range.high))
       throw std::runtime_error("the range of the colours needs low < high");
     range.logarithmic = logarithmic_ && range.low > 0.0;
-  } else if (logarithmic_ && most_ > 0.0) {
+  } else if (logarithmic_ && max_ > 0.0) {
     // Small values would otherwise share one colour with those of fixed blocks, 0.
     constexpr int decades = 4;  // with more, neighbouring decades look the same
-    range = ValueRange::of_decades(0.0, most_, decades);
-  } else if (least_ <= most_) {
-    range.low = std::min(0.0, least_);
-    range.high = most_;
+    range = ValueRange::of_decades(0.0, max_, decades);
+  } else if (min_ <= max_) {
+    range.low = std::min(0.0, min_);
+    range.high = max_;
     // Values of one sign need only half of the colours, and those of nearly one sign
     // little more.
     constexpr double little = 0.1;
-    const double largest = std::max(std::abs(least_), std::abs(most_));
+    const double largest = std::max(std::abs(min_), std::abs(max_));
     const bool is_lopsided =
-        least_ < 0.0 && most_ > 0.0 && std::min(-least_, most_) < little * largest;
+        min_ < 0.0 && max_ > 0.0 && std::min(-min_, max_) < little * largest;
     if (centred_ && !is_lopsided) {
-      range.low = least_ < 0.0 ? -largest : 0.0;
-      range.high = most_ > 0.0 ? largest : 0.0;
+      range.low = min_ < 0.0 ? -largest : 0.0;
+      range.high = max_ > 0.0 ? largest : 0.0;
     }
     if (!(range.high > range.low)) {  // all values are equal
       range.high = range.low + 1.0;
@@ -190,22 +190,22 @@ FigureScales ScaleSurvey::scales() const {
     throw std::runtime_error(no_joints_text());
   if (options_.shows_bonds() && found_.bonds.empty())
     throw std::runtime_error(no_laws_text());
-  if (options_.shows_faces() && least_ > most_)
+  if (options_.shows_faces() && min_ > max_)
     throw std::runtime_error(no_faces_text(options_.colour));
   if (options_.shows_families() && found_.materials == std::set<int>{0})
     throw std::runtime_error("no block has split at the times drawn\n  hint: blocks "
                              "split if their material has a CRACK card");
   if (const QuantityKind* kind = quantities::find_quantity(options_.colour);
-      kind && is_internal_stress(*kind) && least_ == 0.0 && most_ == 0.0)
+      kind && is_internal_stress(*kind) && min_ == 0.0 && max_ == 0.0)
     throw std::runtime_error(
         "every stress is 0: RIGID blocks have no stress, and other blocks have none "
         "before they deform; choose another quantity or time");
   result.colours = colours();
   if (options_.range) {
-    result.cuts_low = least_ < result.colours.low && least_ <= most_;
-    result.cuts_high = most_ > result.colours.high;
+    result.cuts_low = min_ < result.colours.low && min_ <= max_;
+    result.cuts_high = max_ > result.colours.high;
   }
-  result.is_zero = least_ == 0.0 && most_ == 0.0 && !options_.range;
+  result.is_zero = min_ == 0.0 && max_ == 0.0 && !options_.range;
   result.force = usual(forces_);
   const bool is_given = options_.arrow_scale && options_.arrow_scale->value > 0.0;
   result.arrow = is_given ? options_.arrow_scale->value : usual(arrows_);

@@ -51,10 +51,9 @@ struct FigureScales {
   std::set<int> block_counts;        ///< numbers of blocks of the pictures
 
   /// Returns the length on the page that is a share of the size of blocks, but not
-  /// below `least` nor above `most` [units].
-  double on_page(const draw::Axes& axes, double share, double least,
-                 double most) const {
-    return std::clamp(share * block_size * axes.scale(), least, most);
+  /// below `min` nor above `max` [units].
+  double on_page(const draw::Axes& axes, double share, double min, double max) const {
+    return std::clamp(share * block_size * axes.scale(), min, max);
   }
 };
 
@@ -74,7 +73,7 @@ class ScaleSurvey {
 
   const FigureOptions& options_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Constant(1e300), high_ = -low_;
-  double least_ = 1e300, most_ = -1e300;
+  double min_ = 1e300, max_ = -1e300;
   bool logarithmic_ = false;
   bool centred_ = false;        ///< the colours are centred on 0
   std::vector<double> forces_;  ///< the largest of each picture

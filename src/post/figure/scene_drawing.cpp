@@ -186,11 +186,11 @@ class SceneDrawing {
       const Eigen::Vector2d at =
           half_.at(now_.centroid.col(static_cast<Eigen::Index>(b)));
       const Colour ground = fill_of(b), letters = is_dark(ground) ? white : ink;
-      const bool fits = size > 1.3 * options_.page.least_text;
+      const bool fits = size > 1.3 * options_.page.min_text;
       if (options_.numbers && fits)
         pen_.label(std::to_string(now_.number[b]), at.x(), at.y(),
                    std::clamp(0.42 * size, 5.0, 16.0), letters, ground);
-      if (options_.corners && size > 3.0 * options_.page.least_text)
+      if (options_.corners && size > 3.0 * options_.page.min_text)
         corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters, ground);
     }
   }

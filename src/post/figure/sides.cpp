@@ -17,7 +17,7 @@ namespace {
 template <class Wanted>
 void draw_sides(Pen& pen, const Half& half, const Frame& frame, const Wanted& wanted,
                 double width, const Colour& colour, double alpha = 1.0) {
-  constexpr int most = 64;
+  constexpr int max = 64;
   int count = 0;
   for (std::size_t b = 0; b < frame.outlines.size(); ++b) {
     const auto& outline = frame.outlines[b];
@@ -28,7 +28,7 @@ void draw_sides(Pen& pen, const Half& half, const Frame& frame, const Wanted& wa
       // Two blocks share a side, so its dashes must begin at the same end.
       if (to.x() < from.x() || (to.x() == from.x() && to.y() < from.y()))
         std::swap(from, to);
-      if (half.trace(pen.cairo(), from, to) && ++count % most == 0)
+      if (half.trace(pen.cairo(), from, to) && ++count % max == 0)
         pen.stroke(width, colour, alpha);
     }
   }

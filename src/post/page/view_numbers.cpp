@@ -13,7 +13,7 @@
 namespace blocks::post {
 namespace {
 
-constexpr double most_digits = 999999;
+constexpr double max_digits = 999999;
 
 /// Powers of ten, converted from text as the browser does, so that both have the same
 /// bits.
@@ -40,7 +40,7 @@ std::int64_t in_digits(double guess, int power) {
   const double digits = std::floor(shifted(guess, -power) + 0.5);
   return std::isnan(digits)
              ? 0
-             : static_cast<std::int64_t>(std::clamp(digits, -most_digits, most_digits));
+             : static_cast<std::int64_t>(std::clamp(digits, -max_digits, max_digits));
 }
 
 }  // namespace

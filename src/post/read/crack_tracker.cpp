@@ -111,12 +111,12 @@ std::vector<int> faces_of(const Outline& piece, const CrackedBlocks& blocks, int
   std::vector<int> faces;
   for (std::size_t k = 0; k < piece.size(); ++k) {
     const Vector middle = 0.5 * (piece[k] + piece[(k + 1) % piece.size()]);
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     int face = 0;
     const auto compare = [&](const Vector& from, const Vector& to, int its_face) {
       const double distance = distance_to_segment(middle, from, to);
-      if (distance < least)
-        least = distance, face = its_face;
+      if (distance < min)
+        min = distance, face = its_face;
     };
     for (std::size_t s = 0; s < old.size(); ++s)
       compare(old[s], old[(s + 1) % old.size()], blocks.face(whole, s));

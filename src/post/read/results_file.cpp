@@ -198,8 +198,8 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
     const std::int64_t from = starts[b], to = starts[b + 1];
     if (from < 0 || to < from || to > static_cast<std::int64_t>(ids))
       throw Failure("Offsets are out of range");
-    if (constexpr std::int64_t least = 3;
-        to - from < least && !frame.is_removed(static_cast<int>(b)))
+    if (constexpr std::int64_t min = 3;
+        to - from < min && !frame.is_removed(static_cast<int>(b)))
       throw Failure(fmt::format("Offsets: block {} has {} corners", b + 1, to - from));
     for (std::int64_t k = from; k < to; ++k) {
       const std::int64_t point = connectivity[static_cast<std::size_t>(k)];

@@ -31,7 +31,7 @@ std::string fault_of_head(const std::string& path) {
 }
 
 std::string results_nearby(const std::string& path) {
-  constexpr std::size_t most = 5;
+  constexpr std::size_t max = 5;
   std::error_code ignored;
   const fs::path parent = fs::path(path).parent_path();
   std::vector<fs::directory_entry> found;
@@ -47,10 +47,10 @@ std::string results_nearby(const std::string& path) {
     return a.last_write_time(ignored) > b.last_write_time(ignored);
   });
   std::string text;
-  for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
+  for (std::size_t i = 0; i < std::min(found.size(), max); ++i)
     text += (i > 0 ? ", " : "") + (parent / found[i].path().filename()).string();
   return "\n  hint: results in this folder: " + text +
-         (found.size() > most ? ", ..." : "");
+         (found.size() > max ? ", ..." : "");
 }
 
 }  // namespace blocks::post

@@ -47,12 +47,12 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
 }
 
 bool BlockBuilder::fits(long more, deck::SourceLocation where) {
-  constexpr long most = 20'000'000;         // about 12 GB of state
+  constexpr long max = 20'000'000;          // about 12 GB of state
   constexpr double bytes_of_block = 600.0;  // a block without contacts
   const auto room_in_memory = static_cast<long>(physical_memory() / bytes_of_block);
-  if (more > most) {
+  if (more > max) {
     error(where, fmt::format("{} blocks at once", more),
-          fmt::format("one card may make {} blocks at most", most));
+          fmt::format("one card may make {} blocks at most", max));
     return false;
   }
   if (more > room_in_memory) {

@@ -26,7 +26,7 @@ using deck::Command;
 namespace {
 
 /// The number of blocks that a card should make at most.
-long most_blocks(const Command& command) {
+long max_new_blocks(const Command& command) {
   constexpr long any = deck::UnreadCard::any_number_of_blocks;
   if (const auto* create = std::get_if<deck::Create>(&command.card))
     return create->loop ? std::min(create->loop->nloop.value, any) : 1;
@@ -115,10 +115,10 @@ struct Builder::Visitor {
     self.places_.y_limits = command.where;
   }
   void operator()(const deck::Boxes& card) {
-    constexpr long most = 100'000'000;  // 400 MB of box pointers
-    if (card.iboxes.value > most || card.jboxes.value > most / card.iboxes.value) {
+    constexpr long max = 100'000'000;  // 400 MB of box pointers
+    if (card.iboxes.value > max || card.jboxes.value > max / card.iboxes.value) {
       error(card.iboxes.where, "too many boxes",
-            fmt::format("iboxes times jboxes may be {} at most", most));
+            fmt::format("iboxes times jboxes may be {} at most", max));
       return;
     }
     settings.boxes_x = static_cast<int>(card.iboxes.value);
@@ -197,7 +197,7 @@ struct Builder::Visitor {
     self.last_outline_ = outline_of_cut(card);
     CutOptions options{settings.seed, self.options_.folder, settings.units.length};
     if (settings.max_blocks > 0)
-      options.most_blocks = settings.max_blocks - blocks.size();
+      options.max_new_blocks = settings.max_blocks - blocks.size();
     if (self.options_.cut_progress)
       options.progress = [&](const std::string& step, double part) {
         self.options_.cut_progress(command.where.line, step, part);
@@ -360,7 +360,7 @@ void Builder::apply(const Command& command) {
   std::visit(Visitor{*this, command}, command.card);
   plausibility_.test(Moment::card, plan({&command, 1}), command, diagnostics_);
   if (model_.blocks.size() == before) {
-    const long failed = most_blocks(command);
+    const long failed = max_new_blocks(command);
     failed_blocks_ += failed;
     if (std::holds_alternative<deck::Create>(command.card))
       missing_.add(before, failed);

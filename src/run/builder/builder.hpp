@@ -72,7 +72,7 @@ class Builder : public BuilderState {
   /// as blocks that a card has made.
   void take_in_pieces();
   /// How many blocks are missing at most above this line, because their cards failed.
-  long most_missing(int line) const;
+  long max_missing(int line) const;
   /// Counts the blocks of faulty CREATE cards above this line that were not read, and
   /// the blocks whose numbers are sure.
   void count_blocks(int line);

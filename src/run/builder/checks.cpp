@@ -76,7 +76,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
 }
 
 void Builder::check_despite_errors(const Command& command) {
-  if (model_.blocks.count_present() == 0 || most_missing(command.where.line) > 0)
+  if (model_.blocks.count_present() == 0 || max_missing(command.where.line) > 0)
     return;
   const auto is_unread = [&](const char* card) { return unread_.has(card); };
   constexpr const char* of_the_step[] = {"FRACTION", "DAMPING", "LOCDAMP", "KINDAMP"};
@@ -114,17 +114,17 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
   // OUTPUT and HISTORY may name the blocks of later cards.
   const bool anywhere = std::holds_alternative<deck::Output>(command.card) ||
                         std::holds_alternative<deck::History>(command.card);
-  const long most = count + most_missing(anywhere ? std::numeric_limits<int>::max()
-                                                  : command.where.line);
-  if (number.value > count && number.value <= most)
+  const long max = count + max_missing(anywhere ? std::numeric_limits<int>::max()
+                                                : command.where.line);
+  if (number.value > count && number.value <= max)
     return;
   diagnostics_.error(
       number.where, command.name, fmt::format("there is no block {}", number.value),
-      most == 0      ? "no block has been created so far"
-      : most > count ? fmt::format("at most {} {} here", counted(most, "block"),
-                                   most == 1 ? "exists" : "exist")
-      : count == 1   ? std::string("only block 1 exists here")
-                     : fmt::format("blocks 1 to {} exist here", count));
+      max == 0      ? "no block has been created so far"
+      : max > count ? fmt::format("at most {} {} here", counted(max, "block"),
+                                  max == 1 ? "exists" : "exist")
+      : count == 1  ? std::string("only block 1 exists here")
+                    : fmt::format("blocks 1 to {} exist here", count));
 }
 
 void Builder::check_output_blocks() {
@@ -172,7 +172,7 @@ void Builder::check_history_blocks(const Command& command) {
                model_.settings.materials.contains(material) &&
                std::count(blocks.material.begin(), blocks.material.end(), material) ==
                    0 &&
-               most_missing(std::numeric_limits<int>::max()) == 0) {
+               max_missing(std::numeric_limits<int>::max()) == 0) {
       diagnostics_.error(where, command.name,
                          "no block is of material " + curve.material,
                          "name a material of blocks, or create blocks of this one");
@@ -188,11 +188,11 @@ int Builder::corners_of(long number) const {
 
 void Builder::check_history_interval(const Command& motion) {
   const double interval = model_.history.interval;
-  constexpr double most_per_step = 1000.0;
+  constexpr double max_per_step = 1000.0;
   if (interval == 0.0)
     return;
   const double dt = dynamics::choose_time_step(model_).dt;
-  if (dt / interval > most_per_step)
+  if (dt / interval > max_per_step)
     diagnostics_.error(
         histories_.empty() ? motion.where : histories_.back().where,
         histories_.empty() ? motion.name : "HISTORY",
@@ -246,12 +246,12 @@ void Builder::check_steps(const Command& command) {
   const auto* motion = std::get_if<deck::Motion>(&command.card);
   if (motion == nullptr)
     return;
-  constexpr double most = 1e15;
+  constexpr double max = 1e15;
   const double dt = dynamics::choose_time_step(model_).dt;
-  if (!(motion->dt.value / dt <= most))
+  if (!(motion->dt.value / dt <= max))
     diagnostics_.error(motion->dt.where, command.name,
                        fmt::format("{:g} would take more than {:g} steps of {:g}",
-                                   motion->dt.value, most, dt),
+                                   motion->dt.value, max, dt),
                        "give a shorter time");
   else if (motion->dt.value <= 1e-9 * dt)
     diagnostics_.warning(motion->dt.where, command.name,

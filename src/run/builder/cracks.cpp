@@ -60,19 +60,19 @@ void Builder::error_unsure(const Command& command, const deck::Int& number) {
 void Builder::check_cracks() {
   const Blocks& blocks = model_.blocks;
   for (const auto& [where, material] : std::exchange(crack_cards_, {})) {
-    const double least = model_.settings.crack_rules.at(material).least_area;
+    const double min = model_.settings.crack_rules.at(material).min_area;
     double largest = 0.0;
     for (int b = 0; b < blocks.size(); ++b)
       if (blocks.is_free(b) && blocks.material[b] == material)
         largest = std::max(largest, blocks.area[b]);
-    if (largest < 2.0 * least)
+    if (largest < 2.0 * min)
       diagnostics_.warning(
           where, "CRACK",
           largest == 0.0
               ? fmt::format("no free block has material {}", material)
               : fmt::format("no block of material {} is large enough to split: amin is "
                             "{:g}, the largest area {:g}",
-                            material, least, largest),
+                            material, min, largest),
           "only free blocks with an area of at least two times amin split");
     else if (blocks.size() >= model_.settings.max_blocks)
       diagnostics_.warning(where, "CRACK",

@@ -7,7 +7,7 @@
 namespace blocks::run {
 namespace {
 
-constexpr long most_at_once =
+constexpr long max_at_once =
     20'000'000;  // more copies than this or START allow are an error
 
 geometry::DeckOutline outline_of(const deck::Layer& card) {
@@ -42,14 +42,14 @@ std::vector<geometry::SharedCorners>
 shared_corners(const std::vector<deck::Command>& cards) {
   std::vector<geometry::SharedCorners> stretches;
   std::vector<geometry::DeckOutline> outlines;
-  long room = most_at_once;
+  long room = max_at_once;
   const auto close = [&] {
     stretches.emplace_back(outlines);
     outlines.clear();
   };
   for (const deck::Command& command : cards) {
     if (const auto* start = std::get_if<deck::Start>(&command.card))
-      room = std::min(start->nblok.value, most_at_once);
+      room = std::min(start->nblok.value, max_at_once);
     else if (const auto* layer = std::get_if<deck::Layer>(&command.card))
       outlines.push_back(outline_of(*layer));
     else if (const auto* cut = std::get_if<deck::Cut>(&command.card))

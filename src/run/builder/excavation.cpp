@@ -130,7 +130,7 @@ std::vector<int> Builder::select_inside(const Command& command,
     else if (region.contains(Vec2(blocks.centroid.col(b))))
       ++partly;
   }
-  if (chosen.empty() && in_place_ && most_missing(command.where.line) == 0)
+  if (chosen.empty() && in_place_ && max_missing(command.where.line) == 0)
     diagnostics_.warning(
         named.nc.where, command.name,
         named.is_by_centroid() ? "no centroid of a block is inside the outline"

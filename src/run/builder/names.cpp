@@ -63,7 +63,7 @@ std::vector<int> Builder::blocks_of_material(const Command& command,
   for (int b = 0; b < blocks.size(); ++b)
     if (blocks.material[b] == material.value)
       chosen.push_back(b);
-  if (chosen.empty() && most_missing(command.where.line) == 0)
+  if (chosen.empty() && max_missing(command.where.line) == 0)
     diagnostics_.warning(
         material.where, command.name,
         fmt::format("no block of material {} exists here", material.value),
@@ -103,8 +103,8 @@ void Builder::error_no_material(const Command& command, deck::SourceLocation whe
                          (known.empty() ? std::string("none") : known));
 }
 
-long Builder::most_missing(int line) const {
-  return failed_blocks_ + unread_.most_blocks_above(line);
+long Builder::max_missing(int line) const {
+  return failed_blocks_ + unread_.max_blocks_above(line);
 }
 
 void Builder::count_blocks(int line) {
@@ -112,7 +112,7 @@ void Builder::count_blocks(int line) {
        ++unread_counted_)
     if (card->name == "CREATE")
       missing_.add(model_.blocks.size(), card->blocks);
-  if (most_missing(line) == missing_.count())
+  if (max_missing(line) == missing_.count())
     certain_blocks_ = model_.blocks.size();
 }
 

@@ -93,13 +93,13 @@ void Builder::warn_of_dashpots(const Command& command, int b) {
   // The dashpots take rate * dt of the velocity in a step. If that is more than all of
   // it, the velocity is reversed. Deformable squares reach 1 if their own stiffness
   // sets the time step, and must not be warned of by rounding.
-  constexpr double most = 1.01;
+  constexpr double max = 1.01;
   const double dt = model_.time_step.blocks == model_.blocks.size()
                         ? model_.time_step.dt
                         : dynamics::choose_time_step(model_).dt;
   const double rate = dynamics::decay_rate(model_.blocks, model_.settings.rigid, b,
                                            model_.loads.quiet_sides);
-  if (rate * dt <= most)
+  if (rate * dt <= max)
     return;
   diagnostics_.warning(
       command.where, command.name,

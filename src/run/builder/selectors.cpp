@@ -50,7 +50,7 @@ void Builder::error_nothing(const Command& command, deck::SourceLocation where,
                             const deck::Selector& selector, std::string hint) {
   // Blocks may be elsewhere when the run gets here, or missing after an error.
   if ((selector.is_by_position() && !in_place_) || diagnostics_.has_errors() ||
-      most_missing(command.where.line) > 0)
+      max_missing(command.where.line) > 0)
     return;
   const char* what = selector.by == By::nearest ? "corner"
                      : selector.is_of_sides()   ? "side"
@@ -227,11 +227,11 @@ void Builder::note_selected_sides(const Command& command,
 
 std::vector<int> Builder::output_blocks(const Command& command,
                                         const deck::Output& card) {
-  constexpr long most = std::numeric_limits<int>::max();
+  constexpr long max = std::numeric_limits<int>::max();
   std::vector<int> chosen;
   for (const deck::NumberOrSelector& named : card.blocks) {
     if (!named.selector) {
-      chosen.push_back(static_cast<int>(std::clamp(named.number.value, 1L, most)) - 1);
+      chosen.push_back(static_cast<int>(std::clamp(named.number.value, 1L, max)) - 1);
       continue;
     }
     for (const int b : blocks_named(command, named))

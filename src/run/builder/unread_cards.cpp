@@ -31,12 +31,12 @@ bool UnreadCards::may_define_joint(long id) const {
          });
 }
 
-long UnreadCards::most_blocks_above(int line) const {
-  long most = 0;
+long UnreadCards::max_blocks_above(int line) const {
+  long max = 0;
   for (const UnreadCard& card : cards_)
     if (card.where.line < line)
-      most = std::min(most + card.blocks, UnreadCard::any_number_of_blocks);
-  return most;
+      max = std::min(max + card.blocks, UnreadCard::any_number_of_blocks);
+  return max;
 }
 
 const UnreadCard* UnreadCards::above(int line, std::size_t index) const {

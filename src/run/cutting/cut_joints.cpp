@@ -314,7 +314,7 @@ class Generator {
     // Traces that end may cross without cutting a block, and amin merges cells.
     const double allowed = card_.amin.value.value() > 0.0 || has_ends()
                                ? memory
-                               : std::min(memory, 2.0 * around_.most_blocks + 1e4);
+                               : std::min(memory, 2.0 * around_.max_new_blocks + 1e4);
     if (crossings > allowed)
       error(
           card_.outline.where, "OUTLINE",
@@ -324,7 +324,7 @@ class Generator {
           allowed < memory
               ? fmt::format("START allows {:.0f} more blocks: increase space, or raise "
                             "nblok",
-                            around_.most_blocks)
+                            around_.max_new_blocks)
               : fmt::format("this machine has memory for about {:.2g}: increase space",
                             memory));
   }

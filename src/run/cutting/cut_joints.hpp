@@ -20,7 +20,7 @@ struct CutSurroundings {
   std::string unit;    ///< of length by UNITS; empty: not known
   /// [L] corners of the outline, clockwise.
   std::vector<geometry::DecimalPoint> outline;
-  double most_blocks = 0.0;  ///< as many blocks may still be made
+  double max_new_blocks = 0.0;  ///< as many blocks may still be made
   /// As CutRequest::progress.
   std::function<void(const std::string& step, double part)> progress = {};
 };

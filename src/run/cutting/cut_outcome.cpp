@@ -33,7 +33,7 @@ class DomainCutter {
     std::optional<CutJoints> joints =
         cut_joints(card_,
                    {options.seed, options.folder, options.unit, request.outline,
-                    options.most_blocks, options.progress},
+                    options.max_new_blocks, options.progress},
                    diagnostics_);
     if (!joints)
       return {};

@@ -24,9 +24,9 @@ struct CutOutcome {
 
 struct CutOptions {
   std::uint64_t seed = 0;
-  std::string folder;        ///< of the deck; names of files are relative to it
-  std::string unit;          ///< of length by UNITS; empty: not known
-  double most_blocks = 1e9;  ///< as many blocks may still be made
+  std::string folder;           ///< of the deck; names of files are relative to it
+  std::string unit;             ///< of length by UNITS; empty: not known
+  double max_new_blocks = 1e9;  ///< as many blocks may still be made
   /// Called with each step of the work and the part of it that is done, from 0 to 1. It
   /// may throw to stop the work.
   std::function<void(const std::string& step, double part)> progress = {};

@@ -15,7 +15,7 @@
 namespace blocks::run {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 2'000'000'000;  // more would not fit into memory
+constexpr std::uintmax_t max_bytes = 2'000'000'000;  // more would not fit into memory
 
 /// Returns the line and column of an offset as ":12:5", or an empty text if there is
 /// none. Columns count characters.
@@ -43,7 +43,7 @@ std::optional<std::string> read(const FileOnCard& named,
   std::error_code ignored;
   if (fs::exists(path, ignored) && !fs::is_directory(path, ignored) &&
       (!fs::is_regular_file(path, ignored) ||
-       fs::file_size(path, ignored) > most_bytes)) {
+       fs::file_size(path, ignored) > max_bytes)) {
     diagnostics.error(
         named.file.where, named.card,
         fmt::format("cannot read {}: it is no file, or larger than 2 GB", path),
@@ -69,7 +69,7 @@ bool has_told(const std::string& message, const deck::Diagnostics& diagnostics) 
 /// Reports the first messages of each kind.
 void tell(const std::vector<exchange::Message>& messages, const std::string& text,
           const FileOnCard& named, deck::Diagnostics& diagnostics) {
-  constexpr std::size_t most_shown = 5;
+  constexpr std::size_t max_shown = 5;
   for (const bool errors : {true, false}) {
     const auto say = [&](const std::string& message, const std::string& hint) {
       if (errors)
@@ -79,11 +79,11 @@ void tell(const std::vector<exchange::Message>& messages, const std::string& tex
     };
     std::size_t count = 0;
     for (const exchange::Message& one : messages)
-      if (one.error == errors && ++count <= most_shown)
+      if (one.error == errors && ++count <= max_shown)
         say(fmt::format("{}{}: {}", named.file.value, place(text, one.at), one.text),
             one.hint);
-    if (count > most_shown)
-      say(fmt::format("{}: {} more like these", named.file.value, count - most_shown),
+    if (count > max_shown)
+      say(fmt::format("{}: {} more like these", named.file.value, count - max_shown),
           "correct the first ones and check again");
   }
 }

@@ -112,7 +112,7 @@ void Executor::scale_masses() {
   const dynamics::MassFactors factors = dynamics::mass_factors(model_.blocks);
   const std::string line = fmt::format(
       "SOLVE scales masses by {:.3g} to {:.3g}: dt {:.6g} instead of {:.6g}",
-      factors.least, factors.largest, model_.time_step.dt, dt);
+      factors.min, factors.largest, model_.time_step.dt, dt);
   files_.message(line);
   console_.note(line);
 }

@@ -26,7 +26,7 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
   }
   const Model base = state_before_last(model_);
   SafetyFactor& record = model_.safety_factors.back();
-  if (record.most_steps == 0 && !set_limits(record, base, card, threads, give_up)) {
+  if (record.max_steps == 0 && !set_limits(record, base, card, threads, give_up)) {
     tell_trials_remain();
     return pressed_for_time();
   }

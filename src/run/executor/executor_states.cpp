@@ -27,8 +27,8 @@ bool Executor::checkpoint_due() const {
 /// A copy of a larger model would need too much memory; a checkpoint is written first
 /// instead.
 bool Executor::keeps_good_states() const {
-  constexpr int most_blocks = 100'000;
-  return model_.blocks.size() <= most_blocks;
+  constexpr int max_new_blocks = 100'000;
+  return model_.blocks.size() <= max_new_blocks;
 }
 
 /// The factor 50 limits the cost of good states to a fiftieth of the time.

@@ -123,7 +123,7 @@ std::vector<Doubt> doubt_stiffness(const Plan& plan) {
     return {};
   const auto& [column, lowest] = *base;
   const double weight = column.line_load * (lowest.end - lowest.begin);
-  const double size = dynamics::least_width(plan.model.blocks, lowest.block);
+  const double size = dynamics::min_width(plan.model.blocks, lowest.block);
   const double overlap = weight / plan.model.settings.normal_stiffness;
   if (!(overlap > largest_share * size))
     return {};
@@ -212,21 +212,21 @@ std::vector<Doubt> doubt_tolerance(const Plan& plan) {
   const Blocks& blocks = plan.model.blocks;
   const double median = median_area(blocks);
   const double ctol = plan.model.settings.contact_tolerance;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   int narrowest = -1;
   for (int b = 0; b < blocks.size(); ++b)
-    if (const double width = dynamics::least_width(blocks, b);
-        blocks.is_free(b) && !is_tiny(blocks.area[b], median) && width < least) {
-      least = width;
+    if (const double width = dynamics::min_width(blocks, b);
+        blocks.is_free(b) && !is_tiny(blocks.area[b], median) && width < min) {
+      min = width;
       narrowest = b;
     }
-  if (!(ctol > least))
+  if (!(ctol > min))
     return {};
   return {{fmt::format("ctol = {:g} is more than the width of block {}, {:.3g}", ctol,
-                       narrowest + 1, least),
+                       narrowest + 1, min),
            fmt::format("a corner may then pass through the block unnoticed; a good "
                        "ctol is a tenth of a block: {:.2g}",
-                       0.1 * least),
+                       0.1 * min),
            plan.places.tolerance, "BOXES"}};
 }
 

@@ -9,7 +9,7 @@
 namespace blocks::run {
 namespace {
 
-constexpr std::size_t most_listed = 10;
+constexpr std::size_t max_listed = 10;
 constexpr int classes = 8;
 
 /// Forms classes of equal width, or of equal ratio if the values span a factor above
@@ -51,7 +51,7 @@ Measure measure_of(const std::vector<Measure::Place>& places, double sign) {
   measure.median = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
   measure.largest = values.back();
   classify(values, measure);
-  measure.worst.resize(std::min(n, most_listed));
+  measure.worst.resize(std::min(n, max_listed));
   std::partial_sort_copy(places.begin(), places.end(), measure.worst.begin(),
                          measure.worst.end(), [sign](const auto& a, const auto& b) {
                            return a.value != b.value ? sign * a.value < sign * b.value

@@ -11,7 +11,7 @@
 namespace blocks::run {
 namespace {
 
-constexpr std::size_t most_listed = 10;
+constexpr std::size_t max_listed = 10;
 
 /// A bar drawn in eighths of a character, at most `full` characters long.
 std::string bar(long count, long largest, int full) {
@@ -70,10 +70,10 @@ std::string worst(const char* name, const Measure& m, const std::string& where) 
 template <typename List, typename Line>
 std::string first_of(const List& list, Line line) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(list.size(), most_listed); ++i)
+  for (std::size_t i = 0; i < std::min(list.size(), max_listed); ++i)
     text += "  " + line(list[i]) + "\n";
-  if (list.size() > most_listed)
-    text += fmt::format("  and {} more\n", list.size() - most_listed);
+  if (list.size() > max_listed)
+    text += fmt::format("  and {} more\n", list.size() - max_listed);
   return text;
 }
 

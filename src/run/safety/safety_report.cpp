@@ -29,7 +29,7 @@ std::string bound_text(const SafetyFactor& card, std::span<const SafetyTrial> tr
   return fmt::format("with strength / {:g}, the {} bound, the model is {}: ", factor,
                      bound, trial == nullptr ? "" : describe(trial->outcome)) +
          (undecided ? fmt::format("give more than {} with ncycle",
-                                  counted(card.most_steps, "step"))
+                                  counted(card.max_steps, "step"))
                     : fmt::format("give a {} {} bound, or none", other, bound));
 }
 
@@ -99,7 +99,7 @@ std::string safety_warning(const SafetyFactor& card,
     return where + fmt::format("trials are undecided after {}: give more with ncycle, "
                                "or look for blocks that neither come to rest nor fail, "
                                "maybe because the forces were not balanced before",
-                               counted(card.most_steps, "step"));
+                               counted(card.max_steps, "step"));
   if (!bracket.stable)
     return where + "the model fails with all factors tried, even with 64 times the "
                    "strength: joints cannot hold it, or its forces were not balanced "
@@ -112,7 +112,7 @@ std::string safety_warning(const SafetyFactor& card,
     return "";
   return where + fmt::format("the bracket is wider than {:g}, because trials within it "
                              "are undecided after {}: give more with ncycle",
-                             card.width, counted(card.most_steps, "step"));
+                             card.width, counted(card.max_steps, "step"));
 }
 
 }  // namespace blocks::run

@@ -24,13 +24,13 @@ SafetyFactor begin_search(const deck::Fos& card, int line) {
 bool set_limits(SafetyFactor& record, const Model& base, const deck::Fos& card,
                 int threads, const GiveUp& give_up) {
   constexpr long responses = 500, fewest = 2000;
-  const long most = card.most_steps();
-  const long response = response_steps(base, most, threads, give_up);
+  const long max = card.max_steps();
+  const long response = response_steps(base, max, threads, give_up);
   if (give_up())
     return false;
   record.response = response;
-  record.most_steps =
-      card.ncycle.given ? most : std::clamp(responses * record.response, fewest, most);
+  record.max_steps =
+      card.ncycle.given ? max : std::clamp(responses * record.response, fewest, max);
   return true;
 }
 

@@ -80,15 +80,15 @@ struct Distance {
 
 /// Pieces of blocks that have split do not count.
 Distance farthest(const Blocks& before, const Blocks& after) {
-  Distance most;
+  Distance max;
   for (int b = 0; b < before.size(); ++b) {
     if (!after.is_free(b))
       continue;
     const double moved = (after.centroid.col(b) - before.centroid.col(b)).norm();
-    most.length = std::max(most.length, moved);
-    most.of_size = std::max(most.of_size, moved / std::sqrt(before.area[b]));
+    max.length = std::max(max.length, moved);
+    max.of_size = std::max(max.of_size, moved / std::sqrt(before.area[b]));
   }
-  return most;
+  return max;
 }
 
 /// Returns whether the motion is that of a failing model. `responses` is the number of
@@ -164,7 +164,7 @@ bool is_moving(const Model& base) {
   return false;
 }
 
-long response_steps(const Model& base, long most, int threads, const GiveUp& give_up) {
+long response_steps(const Model& base, long max, int threads, const GiveUp& give_up) {
   constexpr double reduction = 1e-3, part = 0.05;
   constexpr long fewest = 50;
   Copy copy(base, reduction, threads);
@@ -173,7 +173,7 @@ long response_steps(const Model& base, long most, int threads, const GiveUp& giv
   const double forgotten = part * part * kinetic_energy(copy.model().blocks);
   Growth growth;
   long steps = 0;
-  for (bool ends = false, below = false; !ends && steps < most && !give_up();) {
+  for (bool ends = false, below = false; !ends && steps < max && !give_up();) {
     ends = !copy.make(interval);
     steps += interval;
     const double energy = kinetic_energy(copy.now().blocks);
@@ -182,7 +182,7 @@ long response_steps(const Model& base, long most, int threads, const GiveUp& giv
     below = energy <= forgotten;
   }
   const auto swing = static_cast<long>(std::ceil(period / copy.now().time_step.dt));
-  return std::min(std::max({steps, swing, fewest}), most);
+  return std::min(std::max({steps, swing, fewest}), max);
 }
 
 TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card,
@@ -194,8 +194,8 @@ TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card
   Convergence convergence(wanted);
   Growth growth;
   bool decided = false;
-  while (!decided && trial.steps < card.most_steps && !result.given_up) {
-    const long steps = std::min(interval, card.most_steps - trial.steps);
+  while (!decided && trial.steps < card.max_steps && !result.given_up) {
+    const long steps = std::min(interval, card.max_steps - trial.steps);
     const bool sound = copy.make(steps);
     trial.steps += steps;
     const Model& now = copy.now();

@@ -43,14 +43,14 @@ struct TrialResult {
 };
 
 /// Returns the response of the model: the number of steps in which it forgets a
-/// disturbance, at least 50 and at most `most`. All blocks of a copy with a thousand
+/// disturbance, at least 50 and at most `max`. All blocks of a copy with a thousand
 /// times the strength get the same small velocity; the number is that of the steps in
 /// which the root of the kinetic energy falls to a twentieth. It ends earlier if the
 /// speed grows steadily, because then the model is not at rest. But blocks that slide
 /// swing together, which strong ones do not; so the response is not less than the
 /// period of a row of blocks as long as the longest way through the model
 /// (dynamics::longest_travel_time). The model must be prepared (dynamics::prepare).
-long response_steps(const Model& base, long most, int threads, const GiveUp& give_up);
+long response_steps(const Model& base, long max, int threads, const GiveUp& give_up);
 
 /// Whether a block is so fast that it could rise by a millionth of its size against the
 /// mean acceleration. Then trials do not start from rest.
@@ -66,7 +66,7 @@ bool is_moving(const Model& base);
 ///   least two responses, and a block has moved by a twentieth of its size; or a block
 ///   has left the domain. Motion with a local ratio below a thousandth of the wanted
 ///   one is rounding;
-/// - undecided: neither after `card.most_steps`, or the model has become unsound.
+/// - undecided: neither after `card.max_steps`, or the model has become unsound.
 TrialResult run_trial(const Model& base, double factor, const SafetyFactor& card,
                       const deck::Solve& wanted, int threads, const GiveUp& give_up);
 

@@ -5,10 +5,10 @@
 namespace blocks::run {
 
 std::string number_ranges(const std::vector<int>& blocks) {
-  constexpr int most_ranges = 8;
+  constexpr int max_ranges = 8;
   std::string text;
   std::size_t i = 0;
-  for (int ranges = 0; i < blocks.size() && ranges < most_ranges; ++ranges) {
+  for (int ranges = 0; i < blocks.size() && ranges < max_ranges; ++ranges) {
     const int first = blocks[i];
     while (i + 1 < blocks.size() && blocks[i + 1] == blocks[i] + 1)
       ++i;

@@ -15,7 +15,7 @@ namespace {
 
 /// The largest number of faults reported for one step. More of them give the user no
 /// further information.
-constexpr std::size_t most_faults = 10;
+constexpr std::size_t max_faults = 10;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
 
   Verdict verdict;
   const auto report = [&](const std::string& text) {
-    if (verdict.faults.size() == most_faults)
+    if (verdict.faults.size() == max_faults)
       return false;
     verdict.faults.push_back(
         fmt::format("at time {:g} (step {}) audit: {}", time, step, text));

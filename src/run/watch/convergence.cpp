@@ -13,7 +13,7 @@ namespace blocks::run {
 
 Convergence::Convergence(const deck::Solve& card, long made, bool was_below)
     : wanted_(card.ratio.value), wanted_local_(card.local_ratio()),
-      most_(card.nmax.value), made_(made), below_(was_below) {}
+      max_(card.nmax.value), made_(made), below_(was_below) {}
 
 namespace {
 
@@ -29,14 +29,14 @@ double part_done(double first, double now, double wanted) {
 
 bool Convergence::is_due() const {
   const long next = made_ + 1;
-  return next % deck::Solve::test_interval == 0 || next == most_;
+  return next % deck::Solve::test_interval == 0 || next == max_;
 }
 
 void Convergence::after_step(const Model& model) {
   const bool tested = is_due();
   ++made_;
   new_decade_ = false;
-  share_ = std::max(share_, static_cast<double>(made_) / static_cast<double>(most_));
+  share_ = std::max(share_, static_cast<double>(made_) / static_cast<double>(max_));
   if (!tested)
     return;
   now_ = balance_of(model);
@@ -70,7 +70,7 @@ SolveRecord Convergence::record(const Model& model, int line) const {
   solve.local_block = now_.block;
   solve.dt = model.time_step.dt;
   const dynamics::MassFactors factors = dynamics::mass_factors(model.blocks);
-  solve.least_scale = factors.least;
+  solve.min_scale = factors.min;
   solve.largest_scale = factors.largest;
   return solve;
 }

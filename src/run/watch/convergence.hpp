@@ -29,7 +29,7 @@ class Convergence {
 
   bool is_balanced() const { return balanced_; }
   /// Whether the card needs no more steps: balanced, or all steps made.
-  bool is_finished() const { return balanced_ || made_ >= most_; }
+  bool is_finished() const { return balanced_ || made_ >= max_; }
   /// Whether the last test found at most the ratios of the card.
   bool is_below() const { return below_; }
   /// What the last test found; NaN if none was made.
@@ -45,7 +45,7 @@ class Convergence {
 
  private:
   double wanted_, wanted_local_;
-  long most_, made_;
+  long max_, made_;
   bool below_, balanced_ = false, new_decade_ = false;
   Balance now_;                                              ///< of the last test
   Balance first_;                                            ///< of the first test

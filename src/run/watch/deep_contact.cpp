@@ -25,7 +25,7 @@ class Search {
     std::optional<Contact> found;
     for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
       const Contact& contact = model_.contacts[i];
-      if (contact.overlap > least_depth(contact) &&
+      if (contact.overlap > min_depth(contact) &&
           (!found || contact.overlap > found->overlap) && !is_held(i) &&
           is_unexplained(contact))
         found = contact;
@@ -40,7 +40,7 @@ class Search {
     return i < model_.joint_states.size() &&
            (model_.joint_states[i].bonded || model_.joint_states[i].offset > 0.0);
   }
-  double least_depth(const Contact& contact) const {
+  double min_depth(const Contact& contact) const {
     constexpr double part_of_size = 1e-3;
     return part_of_size * std::sqrt(std::min(blocks_.area[block_of(contact.corner)],
                                              blocks_.area[block_of(contact.edge)]));

@@ -40,11 +40,11 @@ int first_without_place(const Blocks& blocks) {
 }  // namespace
 
 double half_depth(const Blocks& blocks) {
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int e = 0; e < blocks.corners(); ++e)
     if (const int b = blocks.corner_block[e]; blocks.convex[b] && !blocks.is_removed(b))
-      least = std::min(least, depth_of_middle(blocks, e, b));
-  return 0.5 * std::max(least, 0.0);
+      min = std::min(min, depth_of_middle(blocks, e, b));
+  return 0.5 * std::max(min, 0.0);
 }
 
 bool may_be_unsound(const Settings& settings, const dynamics::StepResult& moved,

@@ -56,16 +56,16 @@ TEST(History, HasEnergyAndMomentaOfTheModel) {
   const post::History hit = history(
       folder, "hit",
       {"kinetic_energy", "momentum_x", "angular_momentum", "contacts", "speed:max"});
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < hit.time.size(); ++i) {
     const post::Frame frame = results.frame(static_cast<long>(i));
     EXPECT_EQ(hit.series[0].values[i], frame.kinetic_energy);
     EXPECT_NEAR(hit.series[1].values[i], hit.series[1].values[0], 1e-9);
     EXPECT_NEAR(hit.series[2].values[i], hit.series[2].values[0], 1e-9);
     EXPECT_EQ(hit.series[4].values[i], frame.velocity.colwise().norm().maxCoeff());
-    most = std::max(most, hit.series[3].values[i]);
+    max = std::max(max, hit.series[3].values[i]);
   }
-  EXPECT_GT(most, 0.0) << "they never met";
+  EXPECT_GT(max, 0.0) << "they never met";
 }
 
 // The block spins about its centroid, which is at rest.

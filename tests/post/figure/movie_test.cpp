@@ -54,7 +54,7 @@ class PlotCommand : public ::testing::Test {
 // step.
 TEST_F(PlotCommand, HasTheForcesThatMoveTheBlocks) {
   const post::ResultsReader results((folder_ / "hit.vtkhdf").string());
-  double most = 0.0, shear = 0.0;
+  double max = 0.0, shear = 0.0;
   for (long i = 0; i < results.frames(); ++i) {
     const post::Frame now = results.frame(i);
     const post::FrameContacts contacts = results.contacts(i);
@@ -64,14 +64,14 @@ TEST_F(PlotCommand, HasTheForcesThatMoveTheBlocks) {
     for (const post::ForceLink& link : post::force_network(contacts)) {
       sum.col(link.first) -= link.force;
       sum.col(link.second) += link.force;
-      most = std::max(most, link.force.norm());
+      max = std::max(max, link.force.norm());
     }
     for (int b = 0; b < now.size(); ++b)
       if (now.fixed[static_cast<std::size_t>(b)] == 0) {
-        EXPECT_LE((sum.col(b) - now.force.col(b)).norm(), 2e-3 * most);
+        EXPECT_LE((sum.col(b) - now.force.col(b)).norm(), 2e-3 * max);
       }
   }
-  EXPECT_GT(shear, 0.1 * most) << "nothing slid";
+  EXPECT_GT(shear, 0.1 * max) << "nothing slid";
 }
 
 // Two pictures side by side are half as wide, so the sheet has less height.
