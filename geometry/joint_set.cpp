@@ -73,11 +73,11 @@ void check(const JointSet& set) {
   for (const Spread* spread : {&set.spacing, &set.trace, &set.gap, &set.dip})
     if (spread->deviation.value() < 0.0)
       refuse(set, "a deviation is negative", "give half ranges of 0 or more");
-  if (set.law != JointLaw::poisson && set.trace.mean.value() == 0.0 &&
+  if (set.law != SpacingLaw::poisson && set.trace.mean.value() == 0.0 &&
       !(set.dip.deviation.value() < 90.0))
     refuse(set, "joints that run through deviate by 90 degrees or more",
            "give ddev below 90, or law POISSON for all directions");
-  if (set.law == JointLaw::uniform &&
+  if (set.law == SpacingLaw::uniform &&
       set.spacing.deviation.value() >= set.spacing.mean.value())
     refuse(set, "the spacing may be 0 or negative", "give sdev below space");
   if (set.trace.mean.value() < 0.0 || set.gap.mean.value() < 0.0)
@@ -103,7 +103,7 @@ class Generator {
     const double spacing = set_.spacing.mean.value();
     double tracks = 0.0;  // between the start and the window, and in the window
     double inner = 2.0 * window_.radius() / spacing;
-    if (set_.law == JointLaw::poisson) {
+    if (set_.law == SpacingLaw::poisson) {
       tracks = 2.0 * ((window_.centre() - near_).norm() + window_.radius()) / spacing;
     } else {
       const auto [low, high] = reach();
@@ -119,7 +119,7 @@ class Generator {
       const auto [from, to] = window_.range(near_, direction_);
       // Traces between the foot of the start and the window take time as well.
       const double far = (window_.centre() - near_).norm() + window_.radius();
-      const double length = set_.law == JointLaw::poisson
+      const double length = set_.law == SpacingLaw::poisson
                                 ? std::max(2.0 * window_.radius(), far)
                                 : std::max(to, 0.0) - std::min(from, 0.0);
       pieces += length / (set_.trace.mean.value() + set_.gap.mean.value());
@@ -129,7 +129,7 @@ class Generator {
 
   std::vector<JointSegment> pieces() {
     expected_ = expected();
-    if (set_.law == JointLaw::poisson) {
+    if (set_.law == SpacingLaw::poisson) {
       poisson();
     } else {
       parallel_tracks();
@@ -140,7 +140,7 @@ class Generator {
  private:
   bool through_going() const { return set_.trace.mean.value() == 0.0; }
   bool exact_spacing() const {
-    return set_.law == JointLaw::uniform && set_.spacing.deviation.value() == 0.0;
+    return set_.law == SpacingLaw::uniform && set_.spacing.deviation.value() == 0.0;
   }
   static Vec2 left_of(const Vec2& direction) {
     return {0.0 - direction.y(), direction.x()};
@@ -200,7 +200,7 @@ class Generator {
   }
   Rational spacing(long k) {
     watch();
-    if (set_.law == JointLaw::uniform)
+    if (set_.law == SpacingLaw::uniform)
       return draw(set_.spacing, counter(k), 0, spacing_use);
     return {set_.spacing.mean.value() *
             exact::negative_logarithm(random(counter(k), 0, spacing_use))};
@@ -315,7 +315,7 @@ class Generator {
 
   Vec2 turned(const Rational& dip, const Vec2& direction, std::uint64_t track,
               std::uint32_t piece) const {
-    if (set_.dip.deviation.value() == 0.0 || set_.law == JointLaw::poisson)
+    if (set_.dip.deviation.value() == 0.0 || set_.law == SpacingLaw::poisson)
       return direction;
     const Rational u(2.0 * random(track, piece, dip_use) - 1.0);
     return exact::direction_of_degrees(dip + exact::rational(set_.dip.deviation) * u);

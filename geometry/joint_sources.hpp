@@ -17,7 +17,7 @@ namespace blocks::geometry {
 /// How tracks of a joint set are placed. uniform: spacing + deviation. negexp:
 /// exponential spacing. poisson: isotropic lines, whose length per area is 1/spacing;
 /// dip is ignored, and the start is the centre of the process.
-enum class JointLaw { uniform, negexp, poisson };
+enum class SpacingLaw { uniform, negexp, poisson };
 
 /// A mean and the half range of the uniform distribution about it.
 struct Spread {
@@ -34,7 +34,7 @@ struct JointSet {
   Spread trace;        ///< [L] length of a trace; mean 0: through-going
   Spread gap;          ///< [L] between traces of a track; >= 0
   DecimalPoint start;  ///< [L] where track 0 begins with a trace
-  JointLaw law = JointLaw::uniform;
+  SpacingLaw law = SpacingLaw::uniform;
   StreamKey stream;    ///< the seed, and the key of the card
   bool whole = false;  ///< traces have their full length beyond the outline too
 };

@@ -11,7 +11,7 @@
 namespace blocks::joints {
 namespace {
 
-using geometry::JointLaw;
+using geometry::SpacingLaw;
 using geometry::Vec2;
 
 struct Field {
@@ -28,10 +28,10 @@ constexpr std::array<Field, 8> fields{{{"dip", "degrees", &SetFit::dip},
                                        {"gap", "L", &SetFit::gap},
                                        {"gdev", "L", &SetFit::gdev}}};
 
-const char* name_of(JointLaw law) {
-  return law == JointLaw::negexp    ? "NEGEXP"
-         : law == JointLaw::poisson ? "POISSON"
-                                    : "UNIFORM";
+const char* name_of(SpacingLaw law) {
+  return law == SpacingLaw::negexp    ? "NEGEXP"
+         : law == SpacingLaw::poisson ? "POISSON"
+                                      : "UNIFORM";
 }
 
 /// Whether the field matters for the set; others are 0 by definition.
@@ -40,9 +40,9 @@ bool matters(const SetFit& set, const Field& field) {
   const bool plain = set.trace.value == 0.0 || set.until > 0;
   if (plain && (name == "tdev" || name == "gap" || name == "gdev"))
     return false;
-  if (set.law == JointLaw::poisson && (name == "dip" || name == "ddev"))
+  if (set.law == SpacingLaw::poisson && (name == "dip" || name == "ddev"))
     return false;
-  return name != "sdev" || set.law == JointLaw::uniform;
+  return name != "sdev" || set.law == SpacingLaw::uniform;
 }
 
 std::string interval(const Estimate& one) {
@@ -80,7 +80,7 @@ double expected_blocks(const NetworkFit& fit, const Network& network) {
     // Joints of one set cross too if they deviate.
     crossings +=
         a.p21 * a.p21 * network.area / std::numbers::pi *
-        (a.law == JointLaw::poisson ? 1.0 : std::min(a.ddev.value / 45.0, 1.0));
+        (a.law == SpacingLaw::poisson ? 1.0 : std::min(a.ddev.value / 45.0, 1.0));
   }
   return crossings + lines + 1.0;
 }

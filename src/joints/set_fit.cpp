@@ -17,7 +17,7 @@
 namespace blocks::joints {
 namespace {
 
-using geometry::JointLaw;
+using geometry::SpacingLaw;
 using geometry::Vec2;
 
 Estimate exactly(double value) { return {value, value, value}; }
@@ -67,7 +67,7 @@ class SetFitter {
     note("these traces have no preferred direction");
     fit_.dip = fit_.ddev = fit_.sdev = exactly(0.0);
     if (runs_through()) {
-      fit_.law = JointLaw::poisson;
+      fit_.law = SpacingLaw::poisson;
       fit_.trace = fit_.tdev = fit_.gap = fit_.gdev = exactly(0.0);
       fit_.space = {1.0 / density_.p21.value, 1.0 / density_.p21.high,
                     1.0 / density_.p21.low};
@@ -134,7 +134,7 @@ class SetFitter {
     const double trace = surely_longer * longest;
     fit_.trace = exactly(trace);
     fit_.tdev = fit_.gap = fit_.gdev = fit_.sdev = exactly(0.0);
-    fit_.law = JointLaw::negexp;
+    fit_.law = SpacingLaw::negexp;
     fit_.space = {mean / (density_.p21.value * trace),
                   mean / (density_.p21.high * trace),
                   mean / (density_.p21.low * trace)};
@@ -144,7 +144,7 @@ class SetFitter {
   }
 
   void take(const SpacingFit& spacing) {
-    fit_.law = spacing.exponential ? JointLaw::negexp : JointLaw::uniform;
+    fit_.law = spacing.exponential ? SpacingLaw::negexp : SpacingLaw::uniform;
     fit_.space = spacing.mean;
     fit_.sdev = spacing.half_range;
   }
@@ -261,7 +261,7 @@ class SetFitter {
   void fit_gaps_by_density() {
     fit_.gap = fit_.gdev = {fit_.trace.value, unknown, unknown};
     const Estimate& p20 = density_.p20;
-    fit_.law = JointLaw::negexp;
+    fit_.law = SpacingLaw::negexp;
     fit_.sdev = exactly(0.0);
     const double stretch = 2.0 * fit_.trace.value;
     fit_.space = {1.0 / (p20.value * stretch), unknown, unknown};

@@ -18,7 +18,7 @@ struct SetFit {
   std::size_t pieces = 0;  ///< parts of traces from which it was fitted
   Family family;
   double p21 = 0.0;  ///< [1/L] of the family in the map
-  geometry::JointLaw law = geometry::JointLaw::negexp;
+  geometry::SpacingLaw law = geometry::SpacingLaw::negexp;
   Estimate dip, ddev;                             ///< [degrees]
   Estimate space, sdev;                           ///< [L]
   Estimate trace, tdev;                           ///< [L]; trace 0: joints run through

@@ -111,7 +111,8 @@ TEST(JointSets, DipIsAnticlockwiseFromTheXAxis) {
 }
 
 TEST(JointSets, AnotherOutlineOrStreamDoesNotChangeThePieces) {
-  for (const JointLaw law : {JointLaw::uniform, JointLaw::negexp, JointLaw::poisson}) {
+  for (const SpacingLaw law :
+       {SpacingLaw::uniform, SpacingLaw::negexp, SpacingLaw::poisson}) {
     JointSet set = set_of("20", "1", "3", "1");
     set.law = law;
     set.spacing.deviation = number("0.5");

@@ -87,7 +87,7 @@ TEST(JointStatistics, CellsThatTheOutlineCutsAreFound) {
 TEST(JointStatistics, PoissonLinesAreIsotropicAndUniform) {
   JointSet set;
   set.spacing.mean = decimal(0.01);
-  set.law = JointLaw::poisson;
+  set.law = SpacingLaw::poisson;
   set.start = {decimal(5.0), decimal(5.0)};
   set.stream = {first_seed, 1};
   std::vector<double> directions, distances;

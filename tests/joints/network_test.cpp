@@ -128,7 +128,7 @@ TEST(TraceNetwork, ASquareLattice) {
 TEST(TraceNetwork, PoissonLines) {
   SetNumbers lines;
   lines.space = 1.0;
-  lines.law = geometry::JointLaw::poisson;
+  lines.law = geometry::SpacingLaw::poisson;
   lines.x0 = 10.0, lines.y0 = 7.0;
   constexpr int maps = 60;
   constexpr double area = 20.0 * 14.0;

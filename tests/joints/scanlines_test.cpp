@@ -56,7 +56,7 @@ TEST(Scanlines, SpacingsDoNotBridgeWhatIsOutsideOfTheWindow) {
 // Terzaghi's correction makes the frequency along any line the length per area.
 TEST(Scanlines, CorrectedFrequencyIsLengthPerArea) {
   SetNumbers set{30.0, 0.0, 1.0, 0.0, 3.0, 1.0, 1.0, 0.5};
-  set.law = geometry::JointLaw::negexp;
+  set.law = geometry::SpacingLaw::negexp;
   constexpr int maps = 20;
   for (const double degrees : {0.0, 90.0, 120.0}) {
     double ratio = 0.0;
@@ -74,12 +74,12 @@ TEST(Scanlines, CorrectedFrequencyIsLengthPerArea) {
 // Exponential spacing has the variation 1, constant spacing 0.
 TEST(Scanlines, VariationOfTheSpacings) {
   SetNumbers set{0.0, 0.0, 0.25};
-  set.law = geometry::JointLaw::negexp;
+  set.law = geometry::SpacingLaw::negexp;
   const Network random =
       network_of(generated(rectangle(5.0, 200.0), {joint_set(set)}, 4));
   const auto lines = parallel_scanlines(random.window, 90.0, 1);
   EXPECT_NEAR(spacing_statistics(lines, random).variation, 1.0, 0.1);
-  set.law = geometry::JointLaw::uniform;
+  set.law = geometry::SpacingLaw::uniform;
   const Network even =
       network_of(generated(rectangle(5.0, 200.0), {joint_set(set)}, 4));
   EXPECT_NEAR(spacing_statistics(lines, even).variation, 0.0, 1e-9);

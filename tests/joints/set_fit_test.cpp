@@ -9,7 +9,7 @@
 namespace blocks::joints {
 namespace {
 
-using geometry::JointLaw;
+using geometry::SpacingLaw;
 using testing::generated;
 using testing::joint_set;
 using testing::rectangle;
@@ -50,7 +50,7 @@ TEST(SetFit, DeviatingTracesOnTracks) { expect_recovery("traces, turned"); }
 // Tracks at exponential distances are not told apart if traces deviate. Then the map
 // tells the length of the traces and their number per area, and the set keeps both.
 TEST(SetFit, WithoutTracksDensityAndLengthAreKept) {
-  const SetNumbers given{30, 6, 1.2, 0, 5, 2, 4, 3, -25, 10, JointLaw::negexp};
+  const SetNumbers given{30, 6, 1.2, 0, 5, 2, 4, 3, -25, 10, SpacingLaw::negexp};
   int without = 0;
   double p20 = 0.0;
   constexpr int maps = 30;
@@ -69,7 +69,7 @@ TEST(SetFit, WithoutTracksDensityAndLengthAreKept) {
 
 // The traces of a fitted set have the length per area of the map.
 TEST(SetFit, AFitOfAFitHasTheSameDensity) {
-  const SetNumbers given{30, 6, 1.2, 0, 5, 2, 4, 3, -25, 10, JointLaw::negexp};
+  const SetNumbers given{30, 6, 1.2, 0, 5, 2, 4, 3, -25, 10, SpacingLaw::negexp};
   double map = 0.0, model = 0.0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const SetFit set =
@@ -99,7 +99,7 @@ TraceMap beds_and_cross_joints(const SetNumbers& beds, const SetNumbers& cross,
 // interval more often. The model has the length per area of the map all the same.
 TEST(SetFit, TracesThatEndAtBedsGetUntil) {
   const SetNumbers beds{10, .5, 2, 1.2, 0, 0, 0, 0, -3, -7};
-  const SetNumbers cross{100, 8, 1.5, 0, 9, 0, 0, 0, -3, -7, JointLaw::negexp};
+  const SetNumbers cross{100, 8, 1.5, 0, 9, 0, 0, 0, -3, -7, SpacingLaw::negexp};
   double map = 0.0, model = 0.0;
   for (unsigned seed = 1; seed <= 15; ++seed) {
     const Network network = network_of(beds_and_cross_joints(beds, cross, seed));
@@ -119,14 +119,14 @@ TEST(SetFit, TracesThatEndAtBedsGetUntil) {
 TEST(SetFit, LinesInAllDirectionsArePoisson) {
   SetNumbers lines;
   lines.space = 1.0;
-  lines.law = JointLaw::poisson;
+  lines.law = SpacingLaw::poisson;
   lines.x0 = 20.0, lines.y0 = 15.0;
   int poisson = 0, covered = 0;
   constexpr int maps = 40;
   for (unsigned seed = 1; seed <= maps; ++seed) {
     const NetworkFit fit = fit_sets(
         network_of(generated(rectangle(40.0, 30.0), {joint_set(lines)}, seed)));
-    if (fit.sets.size() != 1 || fit.sets[0].law != JointLaw::poisson)
+    if (fit.sets.size() != 1 || fit.sets[0].law != SpacingLaw::poisson)
       continue;
     ++poisson;
     const Estimate& space = fit.sets[0].space;

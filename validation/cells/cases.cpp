@@ -96,7 +96,7 @@ void add_exponential_sets(std::vector<Case>& all) {
       std::vector<JointSet> sets = {distant_set(10.0, s1, seed, 1),
                                     distant_set(10.0 + angle, s2, seed, 2)};
       for (JointSet& set : sets)
-        set.law = JointLaw::negexp;
+        set.law = SpacingLaw::negexp;
       return request(outline, sets);
     };
     one.quantities = {{"E area", "s1 s2 / sin a", one.mean_area, mean_area},
@@ -131,18 +131,18 @@ void add_uniform_sets(std::vector<Case>& all) {
 void add_persistence(std::vector<Case>& all) {
   constexpr double trace = 3.0, gap = 2.0, space = 0.5;
   const auto outline = rectangle(20.0, 20.0);
-  const auto add = [&](const std::string& name, JointLaw law, bool deviates) {
+  const auto add = [&](const std::string& name, SpacingLaw law, bool deviates) {
     Case one{"Persistence: trace 3, gap 2, space 0.5", name, 1000};
     one.make = [=](std::uint64_t seed) {
       JointSet set = distant_set(35.0, space, seed, 1);
       set.law = law;
       set.trace.mean = decimal(trace);
       set.gap.mean = decimal(gap);
-      if (law == JointLaw::poisson)
+      if (law == SpacingLaw::poisson)
         set.start = {decimal(4.0), decimal(7.0)};
       if (deviates) {
         set.dip.deviation = decimal(10.0);
-        set.spacing.deviation = decimal(law == JointLaw::uniform ? 0.4 : 0.0);
+        set.spacing.deviation = decimal(law == SpacingLaw::uniform ? 0.4 : 0.0);
         set.trace.deviation = decimal(2.0);
         set.gap.deviation = decimal(2.0);
       }
@@ -152,12 +152,12 @@ void add_persistence(std::vector<Case>& all) {
                        trace / ((trace + gap) * space), mean_p21}};
     all.push_back(one);
   };
-  add("UNIFORM", JointLaw::uniform, false);
-  add("UNIFORM, half ranges", JointLaw::uniform, true);
-  add("NEGEXP", JointLaw::negexp, false);
-  add("NEGEXP, half ranges", JointLaw::negexp, true);
-  add("POISSON", JointLaw::poisson, false);
-  add("POISSON, half ranges", JointLaw::poisson, true);
+  add("UNIFORM", SpacingLaw::uniform, false);
+  add("UNIFORM, half ranges", SpacingLaw::uniform, true);
+  add("NEGEXP", SpacingLaw::negexp, false);
+  add("NEGEXP, half ranges", SpacingLaw::negexp, true);
+  add("POISSON", SpacingLaw::poisson, false);
+  add("POISSON, half ranges", SpacingLaw::poisson, true);
 }
 
 // The number of points is drawn from Poisson's law, as the exact values require.

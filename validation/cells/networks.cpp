@@ -60,7 +60,7 @@ CutRequest poisson_lines(const std::vector<DecimalPoint>& outline, double tau,
   JointSet set;
   set.id = 1;
   set.spacing.mean = decimal(1.0 / tau);
-  set.law = JointLaw::poisson;
+  set.law = SpacingLaw::poisson;
   set.start = outline[0];
   set.stream = {seed, 1};
   return request(outline, {set});

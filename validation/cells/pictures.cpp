@@ -175,7 +175,7 @@ void draw_pictures(const std::string& folder) {
   std::vector<JointSet> sets = {distant_set(10.0, 1.0, 3, 1),
                                 distant_set(70.0, 1.0, 3, 2)};
   for (JointSet& set : sets)
-    set.law = JointLaw::negexp;
+    set.law = SpacingLaw::negexp;
   draw({"negexp.png", "Two NEGEXP sets",
         "mean spacings 1 and 1, at an angle of 60 degrees", request(outline, sets),
         1.0 / std::sin(pi / 3), by_area()},
@@ -188,7 +188,7 @@ void draw_pictures(const std::string& folder) {
         by_area()},
        folder);
   sets = {distant_set(8.0, 1.2, 3, 1), distant_set(98.0, 0.7, 3, 2)};
-  sets[0].law = JointLaw::negexp;
+  sets[0].law = SpacingLaw::negexp;
   sets[1].trace.mean = decimal(3.0);
   sets[1].trace.deviation = decimal(1.0);
   sets[1].gap.mean = decimal(2.0);

@@ -72,7 +72,7 @@ inline TraceMap generated(const std::vector<DecimalPoint>& window,
 struct SetNumbers {
   double dip = 0.0, ddev = 0.0, space = 1.0, sdev = 0.0, trace = 0.0, tdev = 0.0,
          gap = 0.0, gdev = 0.0, x0 = 0.0, y0 = 0.0;
-  geometry::JointLaw law = geometry::JointLaw::uniform;
+  geometry::SpacingLaw law = geometry::SpacingLaw::uniform;
 };
 
 inline JointSet joint_set(const SetNumbers& n) {

@@ -5,7 +5,7 @@
 namespace blocks::validation {
 namespace {
 
-using geometry::JointLaw;
+using geometry::SpacingLaw;
 using joints::Estimate;
 using joints::SetFit;
 using joints::testing::SetNumbers;
@@ -31,8 +31,8 @@ std::vector<RecoveryCase> recovery_cases() {
   return {{"run through, UNIFORM",
            {{30, 0, 2, .5, 0, 0, 0, 0, -25, 10}, {110, 0, 3, 1, 0, 0, 0, 0, 60, -10}}},
           {"run through, NEGEXP",
-           {{30, 0, 2, 0, 0, 0, 0, 0, -25, 10, JointLaw::negexp},
-            {110, 0, 3, 0, 0, 0, 0, 0, 60, -10, JointLaw::negexp}}},
+           {{30, 0, 2, 0, 0, 0, 0, 0, -25, 10, SpacingLaw::negexp},
+            {110, 0, 3, 0, 0, 0, 0, 0, 60, -10, SpacingLaw::negexp}}},
           {"run through, turned",
            {{30, 3, 2, .5, 0, 0, 0, 0, 20, 15}, {110, 3, 3, 1, 0, 0, 0, 0, 20, 15}}},
           {"traces",

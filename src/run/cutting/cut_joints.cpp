@@ -31,16 +31,16 @@ std::uint64_t stream(const std::string& text) {
 }
 
 geometry::JointSet joint_set(const deck::Jset& card, geometry::StreamKey key) {
-  using geometry::JointLaw;
+  using geometry::SpacingLaw;
   return {static_cast<int>(card.id.value),
           {card.dip.value, card.ddev.value},
           {card.space.value, card.sdev.value},
           {card.trace.value, card.tdev.value},
           {card.gap.value, card.gdev.value},
           {card.x0.value, card.y0.value},
-          card.law.value == "NEGEXP"    ? JointLaw::negexp
-          : card.law.value == "POISSON" ? JointLaw::poisson
-                                        : JointLaw::uniform,
+          card.law.value == "NEGEXP"    ? SpacingLaw::negexp
+          : card.law.value == "POISSON" ? SpacingLaw::poisson
+                                        : SpacingLaw::uniform,
           key,
           card.until.given};
 }
