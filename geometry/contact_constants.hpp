@@ -77,4 +77,59 @@ inline constexpr double renewal_factor = 2.0;
 /// side. Corners that meet exactly would be decided in every step without it.
 inline constexpr double renewal_of_sign = 0x1p-28;
 
+/// The constants that decide how long a decision is kept without a test. The guards
+/// follow from the section of docs/kept-decisions.md that each of them names, so they
+/// change only with its proof. The choices affect only the time that a run takes.
+struct Certainty {
+  // Guards
+  /// #margins: error of a depth or position, as a part of the largest coordinate.
+  static constexpr double depth_rounding = 0x1p-46;
+  /// #margins: error of the sine between two sides.
+  static constexpr double sine_rounding = 1e-12;
+  /// #margins: [L] there is no margin if a side is shorter or a coordinate larger,
+  /// because the square of a length might underflow or overflow.
+  static constexpr double min_length = 1e-140, max_coordinate = 1e140;
+  /// #deformable-blocks: the share of a slowness that counts.
+  static constexpr double strain_share = 0.25;
+  /// #motion-of-a-pair: largest validity distance, in shorter longest arms.
+  static constexpr double max_validity = 0.125;
+  /// #motion-of-a-pair: margin of the sine of two sides that do not run against each
+  /// other. No validity distance is larger.
+  static constexpr double opposite_sine = 0.5;
+  /// #certain-decisions: a side is short if it is shorter than this part of the other.
+  static constexpr double short_side = 0.2;
+  /// #certain-decisions: the end of a long side reaches as far, in slacks.
+  static constexpr double end_slacks = 2.0;
+  /// #certain-decisions: two sides may be in line, now or by strain, if the far corner
+  /// of each is at most so many slacks of the shorter one off the line of the other.
+  static constexpr double in_line_slacks = 4.0;
+  /// #third-parts: what the reach gets from the depth |h| and from a sin^2 t.
+  static constexpr double reach_per_depth = 1.25, reach_per_half = 1.05;
+  /// #third-parts: growth of the longest path, per clearance of a third part.
+  static constexpr double growth_per_clearance = 0.15;
+  /// #motion-of-a-pair: growth of the motion of a pair, per growth of its two paths.
+  static constexpr double motion_per_path = 1.000001;
+  /// #motion-of-a-pair: the motion of a centroid, and twice the turn of a unit arm,
+  /// rounded up.
+  static constexpr double shift_factor = 1.0000001, turn_factor = 2.0000001;
+  /// #motion-of-a-pair: the longest arm, rounded up with its gradient.
+  static constexpr double arm_factor = 1.0001;
+  /// #motion-of-a-pair: error of a corner in a step, as a part of its coordinates, and
+  /// of a sum of paths, as a part of the sum.
+  static constexpr double corner_rounding = 0x1p-50, path_rounding = 0x1p-52;
+
+  // Choices
+  /// #third-parts: smallest clearance of a third part, in shorter longest arms.
+  static constexpr double min_clearance = 0x1p-9;
+  /// #third-parts: [L] growth without third parts. It is finite, because a new
+  /// neighbour may be one.
+  static constexpr double growth_alone = 0x1p1000;
+  /// #certain-decisions: two parts count as apart if that holds for more than this
+  /// share of the validity distance of their contacts.
+  static constexpr double apart_share = 0.25;
+  /// #certain-decisions: a contact that is beyond an end by more than this share of
+  /// the validity distance is not listed.
+  static constexpr double beyond_share = 0.25;
+};
+
 }  // namespace blocks::geometry

@@ -5,17 +5,12 @@
 
 #include "dynamics/contacts/contact_arrays.hpp"
 #include "dynamics/kernels/kernels.hpp"
+#include "geometry/contact_constants.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-/// By how much MotionBounds::longest_path may grow, for each unit of length between a
-/// third part and the reach of a contact point (docs/kept-decisions.md#third-parts).
-constexpr double growth_per_clearance = 0.15;
-
-/// [L] The growth if there is no third part. It is finite, because a new neighbour may
-/// be one.
-constexpr double growth_alone = 0x1p1000;
+using geometry::Certainty;
 
 /// Adds the kernel's answer about two parts to the decision of their blocks.
 class LaneDecision {
@@ -33,9 +28,8 @@ class LaneDecision {
   void take(CertainDecision& decision) {
     const double apart = answers_.apart[lane_];
     validity_ = answers_.faces[lane_];
-    // Parts that are near get their contacts before they touch. So "apart" is preferred
-    // only if it holds for more than a quarter of the other distance.
-    if (apart > 0.0 && apart > 0.25 * validity_) {
+    // Parts that are near get their contacts before they touch.
+    if (apart > 0.0 && apart > Certainty::apart_share * validity_) {
       decision.validity = std::min(decision.validity, apart);
       return;
     }
@@ -65,11 +59,12 @@ class LaneDecision {
   }
   bool is_away(int part) {
     const double min_clearance =
-        0x1p-9 * std::min(bounds_.longest[pair_.low], bounds_.longest[pair_.high]);
+        Certainty::min_clearance *
+        std::min(bounds_.longest[pair_.low], bounds_.longest[pair_.high]);
     const double beyond =
         answers_.reach[lane_] + answers_.rounding[lane_] + bounds_.rounding;
     const double clearance = distance_to(part, beyond + min_clearance) - beyond;
-    growth_ = std::min(growth_, growth_per_clearance * clearance);
+    growth_ = std::min(growth_, Certainty::growth_per_clearance * clearance);
     return clearance >= min_clearance;
   }
   /// Returns a lower bound of the distance from the contact point to a part, [L]. It is
@@ -98,7 +93,7 @@ class LaneDecision {
     };
     const auto add = [&](int k, int at, int edge) {
       const double beyond = answers_.beyond[k][lane_];
-      if (beyond > 0.25 * validity_)
+      if (beyond > Certainty::beyond_share * validity_)
         validity_ = std::min(validity_, beyond);
       else if (std::find(contacts.begin(), contacts.end(), CornerOnEdge{at, edge}) ==
                contacts.end())
@@ -124,7 +119,7 @@ class LaneDecision {
   int side_, facing_, corner_;
   const NearPair& pair_;
   double validity_ = 0.0;
-  double growth_ = growth_alone;
+  double growth_ = Certainty::growth_alone;
 };
 
 }  // namespace

@@ -12,11 +12,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The motion of a pair grows by at most what the paths of its two blocks grow by. The
-/// rest covers rounding.
-constexpr double motion_per_path = 1.000001;
+using geometry::Certainty;
+
 /// No path grows by more than MotionBounds::longest_path.
-constexpr double motion_per_growth = 2.0 * motion_per_path;
+constexpr double motion_per_growth = 2.0 * Certainty::motion_per_path;
 
 /// Returns which blocks have a neighbour that is new or has changed, (blocks).
 std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
@@ -113,7 +112,7 @@ double Decisions::motion_since(const Blocks& blocks, const NearPair& pair,
                                const PairPose& pose) const {
   const auto [low, high] = pair;
   const Vec2 apart = blocks.centroid.col(high) - blocks.centroid.col(low);
-  return 1.0000001 * (apart - pose.apart).norm() +
+  return Certainty::shift_factor * (apart - pose.apart).norm() +
          bounds.turn(blocks, low, pose.low.data()) +
          bounds.turn(blocks, high, pose.high.data());
 }
@@ -129,7 +128,8 @@ double Decisions::motion_since(const Blocks& blocks,
   const Vec2 own = shift(kept.front());
   double max = 0.0;
   for (const KeptPose& pose : kept)
-    max = std::max(max, 1.0000001 * (shift(pose) - own).norm() + turn(pose));
+    max = std::max(max,
+                   Certainty::shift_factor * (shift(pose) - own).norm() + turn(pose));
   return max + turn(kept.front());
 }
 
@@ -157,7 +157,7 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
         (blocks.centroid.col(kept.other_block) - blocks.centroid.col(kept.own_block))
             .norm() +
         bounds.stretch(blocks, kept.other_block) * bounds.longest[kept.other_block];
-    const double slowness = (bounds.rigid ? 1.0 : 0.25) *
+    const double slowness = (bounds.rigid ? 1.0 : Certainty::strain_share) *
                             std::min(1.0, 2.0 * bounds.longest[kept.own_block] / away);
     min = std::min(min, slowness * std::min(depth - kept.min, kept.max - depth));
   }
@@ -167,7 +167,7 @@ double Decisions::motion_to_limits(const Blocks& blocks, const BlockParts& parts
 void Decisions::postpone(const NearPair& pair, int p, double motion,
                          double longest_path) {
   pairs[p].examined_at_pair_path =
-      bounds.path_of(pair.low, pair.high) + motion / motion_per_path;
+      bounds.path_of(pair.low, pair.high) + motion / Certainty::motion_per_path;
   pairs[p].examined_at_longest_path = longest_path;
   set_next_check(pair, p);
 }
@@ -204,8 +204,9 @@ bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
   }
   // Corners are rounded in each step. At a distance below that, every step checks.
   const double rounding =
-      0x1p-50 * (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
-                 blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
+      Certainty::corner_rounding *
+      (blocks.centroid.col(low).lpNorm<1>() + bounds.longest[low] +
+       blocks.centroid.col(high).lpNorm<1>() + bounds.longest[high]);
   postpone(pair, p, to_limits - rounding, end);
   return bounds.longest_path < end;
 }

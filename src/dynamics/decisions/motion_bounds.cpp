@@ -11,7 +11,8 @@ namespace {
 double longest_arm(const Blocks& blocks, int b) {
   double longest = 0.0;
   for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
-    longest = std::max(longest, 1.0001 * blocks.arm.col(c).norm());
+    longest =
+        std::max(longest, geometry::Certainty::arm_factor * blocks.arm.col(c).norm());
   return longest;
 }
 
@@ -39,7 +40,7 @@ void MotionBounds::take_in(const Blocks& blocks, const std::vector<char>& change
 void MotionBounds::find_rounding() {
   rounding = 0.0;
   for (const double arm : longest)
-    rounding = std::max(rounding, 0x1p-50 * arm);
+    rounding = std::max(rounding, geometry::Certainty::corner_rounding * arm);
 }
 
 }  // namespace blocks::dynamics

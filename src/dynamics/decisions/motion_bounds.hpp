@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/contact_constants.hpp"
 #include "model/blocks.hpp"
 
 namespace blocks::dynamics {
@@ -26,7 +27,9 @@ struct MotionBounds {
 
   /// Adds a step to `longest_path`. bound: Displacement::bound, or infinity if the
   /// state is not finite.
-  void grow(double bound) { longest_path += bound + 0x1p-52 * longest_path; }
+  void grow(double bound) {
+    longest_path += bound + geometry::Certainty::path_rounding * longest_path;
+  }
   /// Returns the sum of the paths of two blocks. Their motion
   /// (docs/kept-decisions.md#motion-of-a-pair) grows by no more than this sum.
   double path_of(int a, int b) const { return path[a] + path[b]; }
@@ -45,7 +48,7 @@ struct MotionBounds {
     double sum = square(0) + square(2);
     if (!rigid)
       sum += square(1) + square(3);
-    return 2.0000001 * longest[b] * std::sqrt(sum);
+    return geometry::Certainty::turn_factor * longest[b] * std::sqrt(sum);
   }
   /// Returns the largest singular value of the gradient of block b, rounded up: no arm
   /// is longer than `longest` times this.
@@ -56,7 +59,8 @@ struct MotionBounds {
     const double squares = g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + g[3] * g[3];
     const double twice_area = 2.0 * (g[0] * g[3] - g[1] * g[2]);
     const double gap = (squares - twice_area) * (squares + twice_area);
-    return 1.0000001 * std::sqrt(0.5 * (squares + std::sqrt(std::max(gap, 0.0))));
+    return geometry::Certainty::shift_factor *
+           std::sqrt(0.5 * (squares + std::sqrt(std::max(gap, 0.0))));
   }
 
  private:

@@ -11,7 +11,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const int count = pairs.used_corners;
   if (count < 3)
     __builtin_unreachable();
-  const Pack strict = Pack{} + (pairs.rigid ? 1.0 : 0.25);
+  const Pack share = Pack{} + (pairs.rigid ? 1.0 : Certainty::strain_share);
   Part two[2];
   Pack longest[2], farthest = {};
   for (int p = 0; p < 2; ++p) {
@@ -19,12 +19,12 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
     longest[p] = load(pairs.longest[p], i);
     farthest = max(farthest, max(absolute(two[p].x), absolute(two[p].y)) + longest[p]);
   }
-  const Margins margins = {0x1p-46 * farthest};
+  const Margins margins = {Certainty::depth_rounding * farthest};
   store(answers.rounding, i, margins.rounding);
   for (int p = 0; p < 2; ++p)
     for (int k = 0; k < count; ++k) {
       FacingSide& s = two[p].side[k];
-      s.slowness = slowness_of(s.x, s.y, two[1 - p], longest[1 - p], strict);
+      s.slowness = slowness_of(s.x, s.y, two[1 - p], longest[1 - p], share);
     }
 
   Pack depth = Pack{} + never, part = {}, side = {};
@@ -34,9 +34,10 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const Pack of_second =
       find_axes(two[1], two[0], count, margins, one, depth, part, side);
   // There is no margin if the square of a length may overflow or underflow.
-  const Mask proper =
-      (min(two[0].shortest, two[1].shortest) > smallest) & (farthest < largest);
-  const Pack max_validity = proper ? 0.125 * min(longest[0], longest[1]) : Pack{} - 1.0;
+  const Mask proper = (min(two[0].shortest, two[1].shortest) > Certainty::min_length) &
+                      (farthest < Certainty::max_coordinate);
+  const Pack max_validity =
+      proper ? Certainty::max_validity * min(longest[0], longest[1]) : Pack{} - 1.0;
   store(answers.apart, i, min(max(of_first, of_second), max_validity));
   store(answers.own, i, part);
   store(answers.side, i, side);
@@ -79,9 +80,9 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const EndsBelow e_below(own, count, side, after(side, n), e, e_after, f, margins);
 
   // An angle changes by at most the motion divided by twice the shorter longest arm.
-  const Pack arm = 2.0 * min(longest[0], longest[1]) * strict;
+  const Pack arm = 2.0 * min(longest[0], longest[1]) * share;
   const auto of_angle = [&](Pack value) __attribute__((always_inline)) {
-    return (value - 1e-12) * arm;
+    return (value - Certainty::sine_rounding) * arm;
   };
   const auto no_face = [&](const Slope& s) __attribute__((always_inline)) {
     return of_angle(s.steeper_than(Pack{} + facing_sine));
@@ -99,13 +100,14 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const Pack same_faces =
       min(e_below.are_deepest, min(steeper(f, e_before), steeper(f, e_after)));
   const Pack f_is_deeper = f_below.less_than(f.depth, f.slowness_of_depth, margins);
-  const Mask short_e = e.length < 0.2 * f.length, short_f = f.length < 0.2 * e.length;
+  const Mask short_e = e.length < Certainty::short_side * f.length,
+             short_f = f.length < Certainty::short_side * e.length;
   const Pack ends_of_e = min(off_ends(f, e, margins), off_ends(f, e_after, margins));
   const Pack ends_of_f = min(off_ends(e, f, margins), off_ends(e, f_end, margins));
   const Pack not_at_ends = short_e ? ends_of_e : (short_f ? ends_of_f : Pack{} + never);
 
   const ContactPoint point(e, f, f_end, faces);
-  const Pack slowness = 0.5 * strict;
+  const Pack slowness = 0.5 * share;
   const Pack two_faces = min(min(of_angle(facing_sine - slope.sine),
                                  min(steeper(e, f_before), steeper(e, f_after))),
                              min(min(max(same_faces, f_is_deeper), not_at_ends),
@@ -122,10 +124,11 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   store(answers.y, i, point.y);
   // The point may also be the middle on f, which is off by the sine times the mean
   // depth.
-  const Pack off = faces ? 1.05 * slope.sine * slope.sine * point.half : Pack{};
+  const Pack off =
+      faces ? Certainty::reach_per_half * slope.sine * slope.sine * point.half : Pack{};
   store(answers.reach, i,
         widest_joint * min(two[0].longest, two[1].longest) +
-            1.25 * absolute(point.depth) + off);
+            Certainty::reach_per_depth * absolute(point.depth) + off);
 
   store(answers.beyond[0], i, beyond(e, f, margins));
   store(answers.beyond[1], i, beyond(e, f_end, margins));

@@ -9,8 +9,7 @@ namespace {
 
 /// Larger than every depth and margin.
 constexpr double never = 1e300;
-// [L] There is no margin if a side is shorter or a coordinate larger.
-constexpr double smallest = 1e-140, largest = 1e140;
+using geometry::Certainty;
 constexpr double slack = geometry::contact_slack;
 constexpr double facing_sine = geometry::facing_sine;
 constexpr double widest_joint = geometry::widest_joint;
@@ -85,10 +84,10 @@ struct Slope {
   BLOCKS_INLINE Slope(const FacingSide& e, const FacingSide& f)
       : sine(absolute(e.ux * f.uy - e.uy * f.ux)), cosine(e.ux * f.ux + e.uy * f.uy) {}
   BLOCKS_INLINE Mask face() const { return (cosine < 0.0) & (sine <= facing_sine); }
-  /// Returns by how much the sine exceeds `other`, or 0.5 if the sides do not run
-  /// against each other.
+  /// Returns by how much the sine exceeds `other`. If the sides do not run against each
+  /// other, the result is as large as any margin needs to be.
   BLOCKS_INLINE Pack steeper_than(Pack other) const {
-    return cosine < 0.0 ? sine - other : Pack{} + 0.5;
+    return cosine < 0.0 ? sine - other : Pack{} + Certainty::opposite_sine;
   }
 };
 
@@ -120,9 +119,9 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
 /// d is its distance from that block's centroid, and r is the longest arm of that
 /// block.
 BLOCKS_INLINE Pack slowness_of(Pack x, Pack y, const Part& other, Pack longest,
-                               Pack strict) {
+                               Pack share) {
   const Pack distance = absolute(x - other.x) + absolute(y - other.y);
-  return strict * min(Pack{} + 1.0, 2.0 * longest / distance);
+  return share * min(Pack{} + 1.0, 2.0 * longest / distance);
 }
 
 /// Finds the depth of the axis of each side of `own`. Updates the least depth so far,
@@ -253,7 +252,7 @@ BLOCKS_INLINE Pack off_ends(const FacingSide& e, const FacingSide& corner,
                             const Margins& margins) {
   const Pack foot = along(e, corner.x, corner.y);
   return margins.of(min(absolute(foot), absolute(foot - e.length)) -
-                        2.0 * slack * e.length,
+                        Certainty::end_slacks * slack * e.length,
                     corner.slowness);
 }
 

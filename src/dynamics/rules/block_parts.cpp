@@ -65,7 +65,8 @@ Vec2 along(const Blocks& blocks, const Side& side) {
 
 bool BlockParts::may_be_in_line(const Blocks& blocks, const Side& first,
                                 const Side& next) {
-  constexpr double slack = 4.0 * geometry::contact_slack;
+  constexpr double slack =
+      geometry::Certainty::in_line_slacks * geometry::contact_slack;
   const Vec2 e = along(blocks, first), g = along(blocks, next);
   return e.dot(g) > 0.0 && std::abs(geometry::cross(e, g)) <=
                                slack * std::min(e.squaredNorm(), g.squaredNorm());
