@@ -201,7 +201,7 @@ void make_blocks(CutResult& result, const StraightCorners& straight,
   maker.move_out();
   finish(maker);
   if (!result.certificate.holds && result.report.moved_t_vertices > 0) {
-    result.mesh.vertices = before;  // thin cells may leave no room to move
+    result.mesh.vertices = before;  // thin cells may leave no space to move
     BlockMaker careful(result, straight, progress);
     finish(careful);
   }

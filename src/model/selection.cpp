@@ -67,15 +67,16 @@ std::vector<BlockSide> sides_on(const Blocks& blocks, const Vec2& a, const Vec2&
                                 SidesOf which, double tolerance) {
   constexpr double rounding_part = 1e-9;
   const Vec2 line = b - a;
-  const double length = line.norm(), room = std::max(rounding_part * length, tolerance);
+  const double length = line.norm(),
+               reach = std::max(rounding_part * length, tolerance);
   if (!(length > 0.0))
     return {};
   const Vec2 along = line / length;
   const auto is_on = [&](int c) {
     const Vec2 from = blocks.corner.col(c) - a;
     const double t = along.dot(from);
-    return std::abs(geometry::cross(along, from)) <= room && t >= -room &&
-           t <= length + room;
+    return std::abs(geometry::cross(along, from)) <= reach && t >= -reach &&
+           t <= length + reach;
   };
   return matching_sides(blocks, [&](int c) {
     const int end = blocks.next[c];

@@ -109,7 +109,7 @@ template <bool may_start = true, class Number>
   const Number before = bandis.closure(state.normal);
   Number closure = positive(Number(before + closing.share * closing.advance));
   if constexpr (may_start) {
-    const Number capped = closure < closing.room ? closure : closing.room;
+    const Number capped = closure < closing.max_closure ? closure : closing.max_closure;
     closure = closing.begins > 0.0 ? capped : closure;
   }
   // A spring at rest is not computed again, so that it does not drift by rounding.

@@ -29,9 +29,9 @@ struct Sides {
   /// error.
   BLOCKS_INLINE Pack between(Pack& bound) const {
     const Pack x = cx * ex, y = cy * ey, foot = x + y,
-               room = geometry::contact_slack * square;
+               slack = geometry::contact_slack * square;
     bound = 0x1p-50 * ((absolute(x) + absolute(y)) + square) + 0x1p-1000;
-    const Pack from = foot + room, to = (square - foot) + room;
+    const Pack from = foot + slack, to = (square - foot) + slack;
     return from < to ? from : to;
   }
   BLOCKS_INLINE Pack bound() const {

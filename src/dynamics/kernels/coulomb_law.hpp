@@ -28,7 +28,7 @@ apply_coulomb(const LawValues<Number>& law, double dt,
       state.normal + closing.share * state.stiffness * closing.advance;
   state.normal = state.bonded > 0.0 ? spring : positive(spring);
   if constexpr (may_start) {
-    const Number max_spring = state.stiffness * closing.room;
+    const Number max_spring = state.stiffness * closing.max_closure;
     const Number capped = state.normal < max_spring ? state.normal : max_spring;
     state.normal = closing.begins > 0.0 ? capped : state.normal;
   }

@@ -36,10 +36,10 @@ template <class Comparison>
 
 /// The closing of a contact in a step.
 template <class Number> struct Closing {
-  Number advance;  ///< [L] closing dt
-  Number share;    ///< q: the part of the step in which the contact acts, 0 to 1
-  Number room;     ///< [L] overlap + offset
-  Number begins;   ///< 1 if the first step's rules apply, else 0
+  Number advance;      ///< [L] closing dt
+  Number share;        ///< q: the part of the step in which the contact acts, 0 to 1
+  Number max_closure;  ///< [L] of the first step: overlap + offset
+  Number begins;       ///< 1 if the first step's rules apply, else 0
 };
 
 /// In its first step a contact has closed by its overlap, not by a whole step. A bonded
@@ -55,8 +55,8 @@ closing_of(double dt, const ContactMotion<Number>& motion,
   if constexpr (may_start) {
     of.begins = state.bonded > 0.0 ? none : motion.starting;
     if (holds_in_any_lane(of.begins > 0.0)) {
-      const Number part = of.room / of.advance;
-      const Number first_share = of.advance > of.room ? part : whole;
+      const Number part = of.max_closure / of.advance;
+      const Number first_share = of.advance > of.max_closure ? part : whole;
       of.share = of.begins > 0.0 ? first_share : whole;
     }
   }

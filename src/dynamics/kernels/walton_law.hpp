@@ -18,7 +18,7 @@ template <bool may_start = true, class Number>
                                                 ContactForce<Number>& force) {
   const Closing<Number> closing = closing_of<may_start>(dt, motion, state);
   const Number loading = state.stiffness, unloading = loading * law.unloading_ratio;
-  const Number max_spring = loading * closing.room;
+  const Number max_spring = loading * closing.max_closure;
   if constexpr (may_start) {
     // A received spring lies on or below the line of first loading.
     const Number capped = state.normal < max_spring ? state.normal : max_spring;
