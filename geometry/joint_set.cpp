@@ -268,7 +268,7 @@ class Generator {
       add_line(foot, turned(dip, direction, track, 0));
       return;
     }
-    // The stretch of trace and gap about the foot. The stretch that contains a given
+    // The interval of trace and gap about the foot. The interval that contains a given
     // point is longer than the others on average: its probability is proportional to
     // its length.
     Rational trace, gap;

@@ -263,8 +263,8 @@ class SetFitter {
     const Estimate& p20 = density_.p20;
     fit_.law = SpacingLaw::negexp;
     fit_.sdev = exactly(0.0);
-    const double stretch = 2.0 * fit_.trace.value;
-    fit_.space = {1.0 / (p20.value * stretch), unknown, unknown};
+    const double period = 2.0 * fit_.trace.value;
+    fit_.space = {1.0 / (p20.value * period), unknown, unknown};
     note("traces do not lie on tracks: gap is chosen like trace, and space follows "
          "from P20");
   }

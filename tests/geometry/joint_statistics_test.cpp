@@ -106,8 +106,8 @@ TEST(JointStatistics, PoissonLinesAreIsotropicAndUniform) {
             once_in_a_thousand);
 }
 
-// The place of the start along a track is like any other place. The stretch about it is
-// longer than the others on average.
+// The place of the start along a track is like any other place. The interval about it
+// is longer than the others on average.
 TEST(JointStatistics, TracesCoverTheStartOfATrackLikeAnyOtherPlace) {
   constexpr double height = 100.0, space = 0.025, trace = 1.0, gap = 4.0;
   for (const double x : {0.0, 2.0, 20.0}) {

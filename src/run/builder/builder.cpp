@@ -56,8 +56,8 @@ BuilderState::BuilderState(const Model& model, const std::vector<Command>& cards
       known_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   std::size_t moved = 0;
-  for (const geometry::SharedCorners& stretch : corners_)
-    moved += stretch.moved();
+  for (const geometry::SharedCorners& section : corners_)
+    moved += section.moved();
   if (moved > 0)
     notes_.push_back(fmt::format("corners on a slanted side of another outline, "
                                  "rounded so that they do not overlap it: {}",
@@ -94,7 +94,7 @@ struct Builder::Visitor {
     self.diagnostics_.error(where, command.name, message, hint);
   }
   BlockBuilder builder() {
-    return {model,        self.diagnostics_,    command, self.corners_[self.stretch_],
+    return {model,        self.diagnostics_,    command, self.corners_[self.section_],
             self.unread_, self.missing_.count()};
   }
 
@@ -342,7 +342,7 @@ struct Builder::Visitor {
     pass_time();
   }
   void pass_time() {
-    ++self.stretch_;
+    ++self.section_;
     self.in_place_ = self.moves_;
     if (!self.in_place_ && !settings.crack_rules.empty() && !self.sure_blocks_)
       self.sure_blocks_ = self.last_number();
@@ -374,7 +374,7 @@ void Builder::apply(const Command& command) {
 
 void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
                     const std::vector<geometry::BlockOverlap>& overlaps) {
-  stretch_ = static_cast<std::size_t>(
+  section_ = static_cast<std::size_t>(
       std::count_if(cards.begin(), cards.begin() + static_cast<std::ptrdiff_t>(next),
                     deck::passes_time));
   balanced_ =

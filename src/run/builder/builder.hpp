@@ -182,7 +182,7 @@ class Builder : public BuilderState {
   bool can_drive(const deck::Command& command, int b,
                  const deck::NumberOrSelector& named);
   /// Whether a MOTION, CYCLE or SOLVE lies before the present card.
-  bool has_moved() const { return stretch_ > 0 || model_.steps > 0; }
+  bool has_moved() const { return section_ > 0 || model_.steps > 0; }
   /// Returns the law of this joint id. Reports an error and returns null if no JOINT
   /// card defines it.
   JointLaw* law(const deck::Command& command, const deck::Int& id);
@@ -237,7 +237,7 @@ class Builder : public BuilderState {
 
   Plan plan(std::span<const deck::Command> cards) const;
   void check_planes();
-  void check_room(const deck::Command& command);
+  void check_memory(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
   /// Warns at the card that made the second block. `hint` goes before the usual hint.
   void warn_of_overlap(const geometry::BlockOverlap& pair, const deck::Command& motion,

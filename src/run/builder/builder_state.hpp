@@ -60,7 +60,7 @@ class BuilderState {
   /// The line of a card and its section between motions.
   struct GivenAt {
     int line = 0;
-    std::size_t stretch = 0;
+    std::size_t section = 0;
   };
 
   BuildOptions options_;
@@ -71,7 +71,7 @@ class BuilderState {
   int certain_blocks_;              ///< blocks whose numbers are sure
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
   bool balanced_ = false;                         ///< there was a SOLVE or INSITU card
-  std::size_t stretch_ = 0;  ///< index of the section between motions
+  std::size_t section_ = 0;  ///< index of the section between motions
   bool moves_ = false;       ///< steps are made at MOTION, CYCLE, SOLVE and FOS
   /// The blocks are where they will be when the next card acts. This is false after a
   /// motion that made no steps.

@@ -40,28 +40,29 @@ geometry::DeckOutline outline_of(const deck::Create& card) {
 
 std::vector<geometry::SharedCorners>
 shared_corners(const std::vector<deck::Command>& cards) {
-  std::vector<geometry::SharedCorners> stretches;
+  std::vector<geometry::SharedCorners> sections;
   std::vector<geometry::DeckOutline> outlines;
-  long room = max_at_once;
+  long max_blocks = max_at_once;
   const auto close = [&] {
-    stretches.emplace_back(outlines);
+    sections.emplace_back(outlines);
     outlines.clear();
   };
   for (const deck::Command& command : cards) {
     if (const auto* start = std::get_if<deck::Start>(&command.card))
-      room = std::min(start->nblok.value, max_at_once);
+      max_blocks = std::min(start->nblok.value, max_at_once);
     else if (const auto* layer = std::get_if<deck::Layer>(&command.card))
       outlines.push_back(outline_of(*layer));
     else if (const auto* cut = std::get_if<deck::Cut>(&command.card))
       outlines.push_back(outline_of(*cut));
     else if (const auto* create = std::get_if<deck::Create>(&command.card);
-             create != nullptr && (!create->loop || create->loop->nloop.value <= room))
+             create != nullptr &&
+             (!create->loop || create->loop->nloop.value <= max_blocks))
       outlines.push_back(outline_of(*create));
     else if (deck::passes_time(command))
       close();
   }
   close();
-  return stretches;
+  return sections;
 }
 
 }  // namespace blocks::run

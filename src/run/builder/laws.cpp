@@ -59,8 +59,8 @@ JointLaw* Builder::law(const Command& command, const deck::Int& id) {
 void Builder::define_joint(const Command& command, const deck::Joint& card) {
   const int id = static_cast<int>(card.id.value);
   const auto [met, is_new] =
-      joints_.try_emplace(id, GivenAt{command.where.line, stretch_});
-  if (!is_new && met->second.stretch == stretch_) {
+      joints_.try_emplace(id, GivenAt{command.where.line, section_});
+  if (!is_new && met->second.section == section_) {
     diagnostics_.error(card.id.where, command.name,
                        fmt::format("joint id {} is defined twice", id),
                        fmt::format("the first JOINT card is on line {}; only after a "
@@ -68,7 +68,7 @@ void Builder::define_joint(const Command& command, const deck::Joint& card) {
                                    met->second.line));
     return;
   }
-  met->second = {command.where.line, stretch_};
+  met->second = {command.where.line, section_};
   auto& laws = model_.settings.joint_laws;
   const JointLaw before = laws.contains(id) ? laws.at(id) : JointLaw();
   if (has_moved() && before.kind != LawKind::coulomb) {
@@ -172,8 +172,8 @@ void Builder::pair_materials(const Command& command, const deck::Jpair& card) {
   const std::pair<int, int> pair =
       std::minmax(static_cast<int>(card.mat1.value), static_cast<int>(card.mat2.value));
   const auto [met, is_new] =
-      pairs_.try_emplace(pair, GivenAt{command.where.line, stretch_});
-  if (!is_new && met->second.stretch == stretch_) {
+      pairs_.try_emplace(pair, GivenAt{command.where.line, section_});
+  if (!is_new && met->second.section == section_) {
     diagnostics_.error(card.mat1.where, command.name,
                        fmt::format("materials {} and {} have a joint id already",
                                    card.mat1.value, card.mat2.value),
@@ -182,7 +182,7 @@ void Builder::pair_materials(const Command& command, const deck::Jpair& card) {
                                    met->second.line));
     return;
   }
-  met->second = {command.where.line, stretch_};
+  met->second = {command.where.line, section_};
   auto& joints = model_.settings.joint_of_materials;
   const auto old = joints.find(pair);
   const JointLaw before =
