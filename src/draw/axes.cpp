@@ -122,7 +122,7 @@ TickLabels label_ticks(double lower, double upper, int count, Offset kind) {
     return result;
   const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
   std::vector<std::string> scaled = labels(power);
-  // Wide labels take their room from the picture.
+  // Wide labels take their space from the picture.
   constexpr std::size_t wide = 4;
   const std::size_t plain = longest_label(result.labels);
   if (largest >= 1e5 || largest < 1e-3 ||

@@ -64,15 +64,15 @@ cairo_text_extents_t Pen::measure(const std::string& words, double size) {
   return box;
 }
 
-/// Returns the text, cut and with an ellipsis if it is longer than the room.
-std::string Pen::fitted(std::string words, double size, double room) {
+/// Returns the text, cut and with an ellipsis if it is longer than `width`.
+std::string Pen::fitted(std::string words, double size, double width) {
   constexpr double rounding = 1e-6;
-  if (measure(words, size).width <= room * (1.0 + rounding))
+  if (measure(words, size).width <= width * (1.0 + rounding))
     return words;
   const auto inside_letter = [](char byte) {  // of UTF-8
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
   };
-  while (!words.empty() && measure(words + "…", size).width > room) {
+  while (!words.empty() && measure(words + "…", size).width > width) {
     while (words.size() > 1 && inside_letter(words.back()))
       words.pop_back();
     words.pop_back();
@@ -99,14 +99,14 @@ void Pen::put(const TextLine& line) {
 }
 
 void Pen::text(const std::string& given, double x, double y, double size,
-               const Colour& c, double along, double up, double room) {
+               const Colour& c, double along, double up, double width) {
   const std::string words = with_minus_signs(given);
   cairo_text_extents_t box = measure(words, size);
   std::string shown = words;
-  if (box.width > room) {
-    size = letters(size) * room / box.width;
+  if (box.width > width) {
+    size = letters(size) * width / box.width;
     if (size < page_.min_text)
-      shown = fitted(words, size, room);
+      shown = fitted(words, size, width);
     box = measure(shown, size);
   }
   put({shown, x, y - box.y_bearing - up * box.height, along, letters(size), c, 0, {}});
@@ -118,12 +118,12 @@ void Pen::text_on_line(const std::string& words, double x, double y, double size
 }
 
 double Pen::paragraph(const std::string& words, double x, double y, double size,
-                      const Colour& c, double room) {
+                      const Colour& c, double width) {
   const double step = 1.25 * letters(size);
   const double from = y;
   std::string line;
   const auto put = [&] {
-    text(line, x, y + 0.5 * size, size, c, 0, 0.5, room);
+    text(line, x, y + 0.5 * size, size, c, 0, 0.5, width);
     y += step;
   };
   for (std::size_t at = 0; at < words.size();) {
@@ -133,7 +133,7 @@ double Pen::paragraph(const std::string& words, double x, double y, double size,
     std::string longer = line;
     longer += line.empty() ? "" : " ";
     longer += word;
-    if (!line.empty() && measure(longer, size).width > room) {
+    if (!line.empty() && measure(longer, size).width > width) {
       put();
       line = word;
     } else {
@@ -153,11 +153,11 @@ void Pen::label(const std::string& words, double x, double y, double size,
 }
 
 void Pen::upright(const std::string& words, double x, double y, double size,
-                  const Colour& c, double room) {
+                  const Colour& c, double width) {
   cairo_save(cairo_);
   cairo_translate(cairo_, x, y);
   cairo_rotate(cairo_, -std::numbers::pi / 2);
-  text(words, 0, 0, size, c, 0.5, 0.5, room);
+  text(words, 0, 0, size, c, 0.5, 0.5, width);
   cairo_restore(cairo_);
 }
 

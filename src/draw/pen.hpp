@@ -34,10 +34,10 @@ class Pen {
   /// Sets the lengths of dashes and gaps; empty: a solid line.
   void dashes(std::initializer_list<double> lengths);
   /// `along` and `up` choose the anchor of the text at (x, y): 0 is left or top, 1 is
-  /// right or bottom. Text longer than `room` is made smaller, down to the smallest
+  /// right or bottom. Text longer than `width` is made smaller, down to the smallest
   /// letters of the page, and then cut.
   void text(const std::string& text, double x, double y, double size, const Colour& c,
-            double along, double up, double room = unlimited);
+            double along, double up, double width = unlimited);
   /// Returns the width of a text, as text() draws it.
   double width(const std::string& words, double size) {
     return measure(with_minus_signs(words), size).width;
@@ -45,17 +45,17 @@ class Pen {
   /// Draws text from (x, y) on the base line, whatever the heights of its letters.
   void text_on_line(const std::string& words, double x, double y, double size,
                     const Colour& c);
-  /// Breaks text into lines of width `room`; a unit in brackets is not broken. Returns
+  /// Breaks text into lines of width `width`; a unit in brackets is not broken. Returns
   /// the height used.
   double paragraph(const std::string& words, double x, double y, double size,
-                   const Colour& c, double room);
+                   const Colour& c, double width);
   /// Draws text centred at (x, y) with a rim in the background colour, readable over
   /// lines.
   void label(const std::string& text, double x, double y, double size, const Colour& c,
              const Colour& ground);
   /// Draws text centred at (x, y), turned to read upwards.
   void upright(const std::string& text, double x, double y, double size,
-               const Colour& c, double room);
+               const Colour& c, double width);
   /// Draws text in a filled box, readable on any background; (x, y) is the middle of
   /// its left edge.
   void tag(const std::string& text, double x, double y, const Colour& c);
@@ -65,7 +65,7 @@ class Pen {
   double letters(double size) const;
   cairo_text_extents_t measure(const std::string& words, double size);
   void put(const TextLine& line);
-  std::string fitted(std::string words, double size, double room);
+  std::string fitted(std::string words, double size, double width);
   cairo_t* cairo_;
   const PageSize page_;
 };

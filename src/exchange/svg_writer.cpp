@@ -11,7 +11,7 @@ namespace {
 
 using geometry::Vec2;
 
-constexpr double margin_mm = 8.0, bar_room_mm = 10.0;
+constexpr double margin_mm = 8.0, bar_space_mm = 10.0;
 constexpr double page_width_mm = 281.0, page_height_mm = 194.0;  // A4 across
 
 struct Frame {
@@ -70,22 +70,22 @@ double default_scale(const std::vector<BlockRecord>& blocks, double unit_in_m) {
   const double mm = 1000.0 * unit_in_m;
   return round_up(
       std::max(size.x() * mm / (page_width_mm - 2.0 * margin_mm),
-               size.y() * mm / (page_height_mm - 2.0 * margin_mm - bar_room_mm)));
+               size.y() * mm / (page_height_mm - 2.0 * margin_mm - bar_space_mm)));
 }
 
 std::string write_svg(const std::vector<BlockRecord>& blocks, const SvgScale& scale,
                       const std::function<std::string(int)>& joint_colour) {
   const Frame frame = frame_of(blocks);
   const double per_mm = scale.scale / (1000.0 * scale.unit_in_m);  // [L] per mm
-  const Vec2 room = frame.size() + Vec2::Constant(2.0 * margin_mm * per_mm) +
-                    Vec2(0.0, bar_room_mm * per_mm);
+  const Vec2 page = frame.size() + Vec2::Constant(2.0 * margin_mm * per_mm) +
+                    Vec2(0.0, bar_space_mm * per_mm);
   const double left = frame.low.x() - margin_mm * per_mm;
   const double top = -frame.high.y() - margin_mm * per_mm;  // y points down in SVG
   std::string svg =
       fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.6g}mm\" "
                   "height=\"{:.6g}mm\" viewBox=\"{} {} {} {}\">\n",
-                  room.x() / per_mm, room.y() / per_mm, shortest(left), shortest(top),
-                  shortest(room.x()), shortest(room.y()));
+                  page.x() / per_mm, page.y() / per_mm, shortest(left), shortest(top),
+                  shortest(page.x()), shortest(page.y()));
   svg +=
       fmt::format("<title>{} blocks, 1:{:.9g}</title>\n", blocks.size(), scale.scale);
   svg += fmt::format("<g transform=\"scale(1,-1)\" stroke-linejoin=\"round\" "

@@ -133,7 +133,7 @@ std::string fit_deck(const NetworkFit& fit, const TraceMap& map,
   const int decimals = decimals_of(margin);
   const auto limit = [&](double at) { return fmt::format("{:.{}f}", at, decimals); };
   const double one_block = std::sqrt(network.area / blocks);
-  constexpr double spare = 4.0;  // blocks for which START makes room
+  constexpr double spare = 4.0;  // blocks for which START reserves memory
   const auto boxes = [&](double length) {
     return std::clamp(static_cast<int>((length + 2.0 * margin) / one_block), 1, 1000);
   };

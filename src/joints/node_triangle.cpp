@@ -19,7 +19,7 @@ class Triangle {
   Triangle(draw::Pen& pen, const draw::HistogramPlace& place)
       : pen_(pen), cairo_(pen.cairo()) {
     constexpr double aspect = 0.5 * std::numbers::sqrt3;  // height over side
-    constexpr double names = 34;  // room for the names of the corners
+    constexpr double names = 34;  // space for the names of the corners
     const double height = std::min(place.height, aspect * (place.width - names));
     const double side = height / aspect;
     const double middle =

@@ -12,7 +12,7 @@
 
 namespace blocks::output {
 
-/// Nine digits. The width leaves room for a sign, a three-digit exponent and a space.
+/// Nine digits. The width leaves space for a sign, a three-digit exponent and a space.
 inline std::string number(double value) { return fmt::format("{:>17.9g}", value); }
 inline std::string whole(long value) { return fmt::format("{:>9}", value); }
 

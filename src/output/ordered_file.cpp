@@ -74,7 +74,7 @@ bool put(OrderedFile& to, haddr_t at, const unsigned char* bytes, std::size_t si
 }
 
 /// Removes [at, at + size) from the waiting metadata; parts outside that range remain.
-void make_room(std::map<haddr_t, Bytes>& waiting, haddr_t at, std::size_t size) {
+void remove_range(std::map<haddr_t, Bytes>& waiting, haddr_t at, std::size_t size) {
   auto run = waiting.upper_bound(at);
   if (run != waiting.begin())
     --run;
@@ -236,7 +236,7 @@ herr_t write(H5FD_t* shared, H5FD_mem_t type, hid_t, haddr_t at, std::size_t siz
   OrderedFile& file = ordered(shared);
   const auto* bytes = static_cast<const unsigned char*>(from);
   return without_throwing(file, [&] {
-    make_room(*file.waiting, at, size);
+    remove_range(*file.waiting, at, size);
     if (type != H5FD_MEM_DRAW) {
       file.waiting->emplace(at, Bytes(bytes, bytes + size));
       return 0;

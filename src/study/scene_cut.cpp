@@ -91,7 +91,7 @@ int draw_joints(Draws& draw) {
   return kind < 1 ? 0 : kind < 4 ? 1 : kind < 7 ? 2 : kind < 9 ? 3 : 5;
 }
 
-/// The scene with so many joints, if the domain has room for them.
+/// The scene with so many joints, if the domain has space for them.
 Scene domain_scene(Draws& draw, int joints, bool bonded) {
   const auto& kinds = domain_kinds();
   CutDomain domain = draw_domain(

@@ -52,7 +52,7 @@ Scene step_slabs(Draws& draw);
 Scene cut(Draws& draw);
 /// The same with pieces that are free and bonded to each other.
 Scene bonded(Draws& draw);
-/// `cut` with so many joints, if the domain has room for them.
+/// `cut` with so many joints, if the domain has space for them.
 Scene cut_by(Draws& draw, int joints);
 
 }  // namespace blocks::study::scenes

@@ -64,7 +64,7 @@ class ChartDrawing : ChartLayout {
     if (x_.empty())
       throw std::runtime_error("there is nothing to draw: no curve has a number");
     x_ = wide ? x_.widened(0.04) : x_.high > x_.low ? x_ : x_.widened(0.0);
-    make_room_for_ticks(size.printed);
+    make_space_for_ticks(size.printed);
   }
 
   void draw() {
@@ -87,7 +87,7 @@ class ChartDrawing : ChartLayout {
 
   /// Moves the left edge of the panels if tick labels would reach the label of the y
   /// axis, and in print also if they leave a gap. The height of the panels remains.
-  void make_room_for_ticks(bool printed) {
+  void make_space_for_ticks(bool printed) {
     const double label_end = label_x_ + 15;  // its letters reach 10 to the right
     if (printed)
       left = label_end;
@@ -330,9 +330,9 @@ class ChartDrawing : ChartLayout {
     const auto all = keys_of(one);
     const auto n = static_cast<double>(all.size());
     const double step = std::clamp(panel / n, low, tall);
-    const auto room = static_cast<std::size_t>(panel / step);
+    const auto rows = static_cast<std::size_t>(panel / step);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (i + 1 == room && all.size() > room) {
+      if (i + 1 == rows && all.size() > rows) {
         pen_.text(fmt::format("and {} more", all.size() - i), x, y + step / 3, 11,
                   muted, 0, 0.5);
         return;

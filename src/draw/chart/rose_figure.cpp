@@ -67,10 +67,10 @@ RoseLayout::RoseLayout(double legend_high, std::size_t histograms, const PageSiz
 void draw_rose_figure(Pen& pen, const RoseLayout& layout, const PageSize& page,
                       const RoseFigure& figure) {
   pen.clear();
-  const double room = page.width - 2 * layout.left;
-  pen.text(figure.heading, layout.left, layout.title, 21, ink, 0, 1, room);
+  const double width = page.width - 2 * layout.left;
+  pen.text(figure.heading, layout.left, layout.title, 21, ink, 0, 1, width);
   pen.text(figure.subtitle, layout.left, layout.subtitle, page.printed ? 12.5 : 15,
-           muted, 0, 1, room);
+           muted, 0, 1, width);
   draw_rose(pen, layout.rose, figure.directions);
   draw_rose_legend(pen, layout.legend_left, layout.legend_top, layout.legend_wide,
                    figure.directions, figure.name_of);

@@ -122,7 +122,7 @@ void remove_pieces(const fs::path& folder) {
 }
 
 /// Deletes such a folder. Throws output::FileError if the name is still taken.
-void make_room(const fs::path& folder, const fs::path& meant) {
+void remove_older(const fs::path& folder, const fs::path& meant) {
   remove_pieces(folder);
   std::error_code fault;
   if (fs::exists(fs::symlink_status(folder, fault)))
@@ -144,7 +144,7 @@ class PieceFolder {
   /// Throws output::FileError.
   explicit PieceFolder(fs::path name)
       : name_(std::move(name)), path_(name_.string() + ".tmp") {
-    make_room(path_, name_);  // a killed program may have left it
+    remove_older(path_, name_);  // a killed program may have left it
     std::error_code fault;
     if (!fs::create_directory(path_, fault))
       throw output::FileError("cannot write " + name_.string() + ": " +
@@ -160,7 +160,7 @@ class PieceFolder {
     std::error_code fault;
     if (fs::exists(fs::symlink_status(name_, fault))) {
       const fs::path aside = name_.string() + ".bak";
-      make_room(aside, name_);
+      remove_older(aside, name_);
       rename_folder(name_, aside);
     }
     rename_folder(path_, name_);

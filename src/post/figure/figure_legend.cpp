@@ -88,9 +88,9 @@ class Legend {
     end_cells();
     if (!options_.arrows.empty())
       arrow();
-    const double room = place_.top + place_.height - y_;
+    const double height = place_.top + place_.height - y_;
     const double each =
-        std::clamp(room / std::max(1, bars(scales_, options_)), min_bar, max_bar);
+        std::clamp(height / std::max(1, bars(scales_, options_)), min_bar, max_bar);
     if (options_.shows_values()) {
       const Quantity shown = options_.shows_faces()
                                  ? face_quantity(options_.colour)
@@ -137,13 +137,13 @@ class Legend {
   /// Writes the name of an entry beside its symbol, and goes to the next entry.
   void end_entry(const std::string& name) {
     pen_.text(name, place_.x + across_ + 28, y_ + 7, 14, ink, 0, 0.5,
-              (place_.below ? cell : room()) - 28);
+              (place_.below ? cell : width()) - 28);
     if (!place_.below) {
       y_ += line;
       return;
     }
     across_ += cell;
-    if (across_ + cell > room())
+    if (across_ + cell > width())
       end_cells();
   }
   /// Begins a new row of a legend below, unless the row is empty.
@@ -198,13 +198,13 @@ class Legend {
       return;
     }
     end_cells();
-    const std::size_t columns = columns_of(place_.below ? room() : 0.0);
-    const double top = y_, across = room() / static_cast<double>(columns);
+    const std::size_t columns = columns_of(place_.below ? width() : 0.0);
+    const double top = y_, across = width() / static_cast<double>(columns);
     const bool all = present.size() <= max_materials;
     const char* const name = options_.shows_families() ? "from blocks" : "materials";
     pen_.text(all ? name
                   : fmt::format("{} of {} {}", max_materials, present.size(), name),
-              place_.x, y_ + 6, 14, ink, 0, 0.5, room());
+              place_.x, y_ + 6, 14, ink, 0, 0.5, width());
     std::size_t i = 0;
     for (const int material : present) {
       if (i == max_materials)
@@ -218,7 +218,7 @@ class Legend {
                 across - 20);
       ++i;
     }
-    y_ = top + many_materials_height(present.size(), place_.below ? room() : 0.0);
+    y_ = top + many_materials_height(present.size(), place_.below ? width() : 0.0);
   }
 
   void arrow() {
@@ -233,22 +233,22 @@ class Legend {
         "{}{:.3g} {}", scales_.cuts_arrows ? "≥ " : "", scales_.arrow, unit);
     if (place_.below) {
       pen_.text(options_.arrows + " " + value, place_.x + place_.arrow + 10, y_ + 7, 14,
-                ink, 0, 0.5, room() - place_.arrow - 10);
+                ink, 0, 0.5, width() - place_.arrow - 10);
       y_ += arrow_line;
       return;
     }
     y_ += line - 6;
-    pen_.text(options_.arrows, place_.x, y_ + 6, 13, ink, 0, 0.5, room());
-    pen_.text(value, place_.x, y_ + 22, 13, ink, 0, 0.5, room());
+    pen_.text(options_.arrows, place_.x, y_ + 6, 13, ink, 0, 0.5, width());
+    pen_.text(value, place_.x, y_ + 22, 13, ink, 0, 0.5, width());
     y_ += 42;
   }
 
-  /// Draws the one colour of a quantity that is 0 everywhere, in the room of a bar.
-  void zero(const std::string& label, const Dimension& dimension, double room,
+  /// Draws the one colour of a quantity that is 0 everywhere, in the space of a bar.
+  void zero(const std::string& label, const Dimension& dimension, double height,
             const Colour& colour) {
-    const double end = y_ + (place_.below ? low_bar : room);
+    const double end = y_ + (place_.below ? low_bar : height);
     y_ += 4 + pen_.paragraph(options_.with_unit(label, dimension), place_.x, y_, 14,
-                             ink, this->room());
+                             ink, width());
     swatch(colour, false, "0 everywhere");
     across_ = 0.0;
     y_ = end;
@@ -264,31 +264,31 @@ class Legend {
   }
 
   void bar(const std::string& label, const Dimension& dimension,
-           const ValueRange& range, double room,
+           const ValueRange& range, double height,
            const std::function<Colour(double)>& colour, Cut cut = {}) {
     if (place_.below) {
       bar_along(label, dimension, range, colour, cut);
       return;
     }
-    const double width = 22, end = y_ + room;
+    const double thick = 22, end = y_ + height;
     const TickLabels marked =
-        range.ticks(std::max(3, static_cast<int>((room - 70) / 50)));
+        range.ticks(std::max(3, static_cast<int>((height - 70) / 50)));
     y_ += pen_.paragraph(marked.titled(options_.with_unit(label, dimension)), place_.x,
-                         y_, 14, ink, this->room());
-    const double top = y_ + 10, height = end - 24 - top;
-    fill_bar(cairo_pattern_create_linear(0, top + height, 0, top),
-             {place_.x, top, width, height}, colour);
-    const double x = place_.x, middle = x + 0.5 * width, bottom = top + height;
+                         y_, 14, ink, width());
+    const double top = y_ + 10, tall = end - 24 - top;
+    fill_bar(cairo_pattern_create_linear(0, top + tall, 0, top),
+             {place_.x, top, thick, tall}, colour);
+    const double x = place_.x, middle = x + 0.5 * thick, bottom = top + tall;
     if (cut.high)
-      tip({x, top}, {x + width, top}, {middle, top - tip_length}, colour(1.0));
+      tip({x, top}, {x + thick, top}, {middle, top - tip_length}, colour(1.0));
     if (cut.low)
-      tip({x, bottom}, {x + width, bottom}, {middle, bottom + tip_length}, colour(0.0));
+      tip({x, bottom}, {x + thick, bottom}, {middle, bottom + tip_length}, colour(0.0));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
-      const double y = top + height * (1.0 - range.place(marked.ticks[i]));
-      pen_.line(x + width, y, x + width + 5, y, 0.8, ink);
-      pen_.text(marked.labels[i], place_.x + width + 9, y, 13, ink, 0, 0.5);
+      const double y = top + tall * (1.0 - range.place(marked.ticks[i]));
+      pen_.line(x + thick, y, x + thick + 5, y, 0.8, ink);
+      pen_.text(marked.labels[i], place_.x + thick + 9, y, 13, ink, 0, 0.5);
     }
-    pen_.text(marked.offset, place_.x, top + height + 6, 13, ink, 0, 0);
+    pen_.text(marked.offset, place_.x, top + tall + 6, 13, ink, 0, 0);
     y_ = end;
   }
 
@@ -297,7 +297,8 @@ class Legend {
                  const ValueRange& range, const std::function<Colour(double)>& colour,
                  Cut cut) {
     constexpr double thick = 11, margin = tip_length;
-    const double left = place_.x + margin, width = room() - 2 * margin, top = y_ + 20;
+    const double left = place_.x + margin, width = this->width() - 2 * margin,
+                 top = y_ + 20;
     const TickLabels marked = range.ticks(std::max(3, static_cast<int>(width / 70)));
     pen_.text(marked.titled(options_.with_unit(label, dimension)), left, y_ + 8, 14,
               ink, 0, 0.5, width);
@@ -311,7 +312,8 @@ class Legend {
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double x = left + width * range.place(marked.ticks[i]);
       pen_.line(x, top + thick, x, top + thick + 4, 0.8, ink);
-      const double last = place_.x + room() - 0.5 * pen_.width(marked.labels[i], 13);
+      const double last =
+          place_.x + this->width() - 0.5 * pen_.width(marked.labels[i], 13);
       pen_.text(marked.labels[i], std::min(x, last), top + thick + 7, 13, ink, 0.5, 0);
     }
     pen_.text(marked.offset, left + width, y_ + 8, 13, ink, 1, 0.5);
@@ -335,14 +337,14 @@ class Legend {
     pen_.stroke(0.8, ink);
   }
 
-  double room() const { return place_.width; }
+  double width() const { return place_.width; }
 
   void marks() {
     y_ += 8;
     for (const MarkName& entry : options_.mark_names) {
       trace_mark(cairo_, entry.kind, place_.x + 10, y_ + 7, 6);
       pen_.stroke(2.2, mark_colour(entry.kind));
-      pen_.text(entry.name, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
+      pen_.text(entry.name, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, width() - 28);
       y_ += 18;
       pen_.text(entry.count, place_.x + 28, y_ + 7, 12, faint, 0, 0.5);
       y_ += 24;

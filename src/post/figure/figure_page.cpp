@@ -116,14 +116,14 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
   lay_out();
   if (!options.page.printed)
     return;
-  // Short numbers at the y axis leave more room for the picture.
+  // Short numbers at the y axis leave more space for the picture.
   constexpr double letter = 9, min = 18;  // [units]
   std::size_t longest = 0;
   for (const std::string& label : ticks_of(axes(0)).up.labels)
     longest = std::max(longest, label.size());
-  const double room = std::clamp(letter * static_cast<double>(longest), min, numbers_);
-  margins_.left -= numbers_ - room;
-  numbers_ = room;
+  const double space = std::clamp(letter * static_cast<double>(longest), min, numbers_);
+  margins_.left -= numbers_ - space;
+  numbers_ = space;
   lay_out();
 }
 
@@ -236,12 +236,12 @@ void FigurePage::end(Pen& pen, const Picture& last) const {
     return;
   }
   const double beside = lowest.bottom() - first.top;
-  const double room =
+  const double height =
       std::max(lowest.bottom(), height_ - 0.5 * margins_.foot) - first.top;
   const double x = right_of_pictures + 16;
   draw_legend(pen,
               {x, first.top, std::min(options_.page.width - x, margins_.right - 16) - 8,
-               beside < 300 ? room : beside, arrow, false},
+               beside < 300 ? height : beside, arrow, false},
               last, scales_, options_);
 }
 

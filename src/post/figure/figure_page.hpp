@@ -41,7 +41,7 @@ class FigurePage {
   const FigureScales& scales_;
   const FigureOptions& options_;
   FigureMargins margins_;
-  double numbers_ = 46;                ///< room for those of the y axis [units]
+  double numbers_ = 46;                ///< space for those of the y axis [units]
   bool below_;                         ///< the legend is below the pictures
   double width_ = 0.0, height_ = 0.0;  ///< of a plot, of the page
 };

@@ -146,7 +146,7 @@ void CrackTracker::advance(const Frame& before, const Frame& now) {
   place_later_blocks(now);
 }
 
-/// Makes room for the blocks of a frame, and moves those that were made later there.
+/// Makes space for the blocks of a frame, and moves those that were made later there.
 void CrackTracker::place_later_blocks(const Frame& now) {
   Frame& first = blocks_.first;
   const auto size = static_cast<std::size_t>(now.size());

@@ -49,26 +49,26 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
 bool BlockBuilder::fits(long more, deck::SourceLocation where) {
   constexpr long max = 20'000'000;          // about 12 GB of state
   constexpr double bytes_of_block = 600.0;  // a block without contacts
-  const auto room_in_memory = static_cast<long>(physical_memory() / bytes_of_block);
+  const auto fit_in_memory = static_cast<long>(physical_memory() / bytes_of_block);
   if (more > max) {
     error(where, fmt::format("{} blocks at once", more),
           fmt::format("one card may make {} blocks at most", max));
     return false;
   }
-  if (more > room_in_memory) {
+  if (more > fit_in_memory) {
     error(where, fmt::format("{} blocks at once", more),
-          fmt::format("this machine has memory for about {}", room_in_memory));
+          fmt::format("this machine has memory for about {}", fit_in_memory));
     return false;
   }
-  const long room = model_.settings.max_blocks - model_.blocks.size();
-  if (more <= room || !has_start())
+  const long left = model_.settings.max_blocks - model_.blocks.size();
+  if (more <= left || !has_start())
     return true;
   error(where,
         fmt::format("{} exceed{} START's maximum of {}", counted(more, "more block"),
                     more == 1 ? "s" : "", model_.settings.max_blocks),
         fmt::format(
             "{} exist so far: {} more are possible, or raise nblok on the START card",
-            model_.blocks.size(), room));
+            model_.blocks.size(), left));
   return false;
 }
 

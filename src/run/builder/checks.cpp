@@ -61,7 +61,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   check_planes();
   check_cracks();
   check_overlaps(command);
-  check_room(command);
+  check_memory(command);
   const bool is_new_step = model_.time_step.blocks != blocks.size();
   if (!model_.settings.rigid && is_new_step) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
@@ -85,7 +85,7 @@ void Builder::check_despite_errors(const Command& command) {
   check_planes();
 }
 
-void Builder::check_room(const Command& command) {
+void Builder::check_memory(const Command& command) {
   const double ctol = model_.settings.contact_tolerance, memory = physical_memory();
   const LikelyList list = likely_list(model_.blocks, 2.0 * ctol);
   if (list.bytes <= 0.8 * memory)  // leaves memory for the rest of the run

@@ -56,7 +56,7 @@ class Generator {
     warn_of_unit(card_.outline.file, "OUTLINE", card_.outline.file_unit);
     for (const auto& source : card_.joints)
       std::visit([this](const auto& one) { prepare(one); }, source);
-    check_room();
+    check_memory();
     if (!sound_)
       return {};
     for (const auto& source : card_.joints)
@@ -346,7 +346,7 @@ class Generator {
              (set != nullptr && set->trace.value.value() > 0.0);
     });
   }
-  void check_room() {
+  void check_memory() {
     const double memory = physical_memory();
     if (sound_ && expected_ * bytes_of_piece > memory)
       error(card_.outline.where, "OUTLINE",

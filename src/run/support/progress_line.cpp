@@ -53,17 +53,17 @@ std::string progress_line(const RunProgress& run, int width) {
     parts.insert(parts.begin(), {fmt::format(" ratio {:.1e}", run.balance.ratio), 0});
   if (const std::string left = remaining(run); !left.empty())
     parts.push_back({' ' + left, -1});
-  const auto room = [&] {  // for the bar
+  const auto space = [&] {  // for the bar
     int used = brackets;
     for (const Part& part : parts)
       used += static_cast<int>(part.text.size());
     return width - used;
   };
-  while (!parts.empty() && room() < narrowest_bar)
+  while (!parts.empty() && space() < narrowest_bar)
     parts.erase(
         std::max_element(parts.begin(), parts.end(),
                          [](const Part& a, const Part& b) { return a.rank < b.rank; }));
-  const int bar = std::clamp(room(), 0, widest_bar);
+  const int bar = std::clamp(space(), 0, widest_bar);
   const int filled = static_cast<int>(run.share * bar);
   std::string line = fmt::format("[{:#<{}}{:.<{}}]", "", filled, "", bar - filled);
   for (const Part& part : parts)
