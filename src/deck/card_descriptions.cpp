@@ -4,9 +4,9 @@
 
 namespace blocks::deck {
 
-std::string_view phase_title(Phase phase) {
-  return phase == Phase::preliminary ? "Preliminary cards, before END"
-                                     : "Problem cards, in the order they act";
+std::string_view group_title(CardGroup group) {
+  return group == CardGroup::preliminary ? "Preliminary cards, before END"
+                                         : "Problem cards, in the order they act";
 }
 
 std::string_view kind_name(Kind kind) {
@@ -44,7 +44,7 @@ std::string range_text(const FieldSpec& field) {
 
 std::string occurrence_text(const CardSpec& card) {
   std::string out = card.required ? "required" : "optional";
-  if (card.phase == Phase::preliminary) {
+  if (card.group == CardGroup::preliminary) {
     out += card.once ? ", once" : ", may repeat";
   } else {
     out = "may repeat";

@@ -9,8 +9,8 @@
 
 namespace blocks::deck {
 
-/// Returns the title of a phase in the reference.
-std::string_view phase_title(Phase phase);
+/// Returns the title of a group of cards in the reference.
+std::string_view group_title(CardGroup group);
 /// Returns "whole", "real", "decimal" or "word".
 std::string_view kind_name(Kind kind);
 /// Returns the default of a field, "blank" or "required".

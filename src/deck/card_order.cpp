@@ -16,8 +16,8 @@ bool CardOrder::pass(const CardSpec& spec, SourceLocation where, bool misspelt) 
   if (first && !pass_first(spec, where)) {
     return false;
   }
-  return spec.phase == Phase::preliminary ? pass_preliminary(spec, where)
-                                          : pass_problem(spec, where);
+  return spec.group == CardGroup::preliminary ? pass_preliminary(spec, where)
+                                              : pass_problem(spec, where);
 }
 
 bool CardOrder::pass_first(const CardSpec& spec, SourceLocation where) {

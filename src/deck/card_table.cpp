@@ -16,7 +16,7 @@ std::vector<CardSpec> preliminary_cards() {
   using enum Kind;
   std::vector<CardSpec> cards;
   const auto add = [&](CardSpec card) {
-    card.phase = Phase::preliminary;
+    card.group = CardGroup::preliminary;
     cards.push_back(std::move(card));
   };
   add({.name = "START",

@@ -11,7 +11,7 @@
 
 namespace blocks::deck {
 
-enum class Phase { preliminary, problem };
+enum class CardGroup { preliminary, problem };
 
 /// Kind of value. `exact` is a decimal kept as written; `real` is its nearest double.
 /// `block` and `side` are whole numbers or selectors.
@@ -56,7 +56,7 @@ struct FollowOn {
 /// card has fewer than `continue_below` fields so far (0: never).
 struct CardSpec {
   std::string_view name;
-  Phase phase = Phase::problem;
+  CardGroup group = CardGroup::problem;
   bool once = false;
   bool required = false;
   std::string_view section;  ///< of the report; "ours" if not in the report

@@ -45,10 +45,10 @@ std::string card_reference_man(std::string_view version) {
                     roff::section("Description");
   for (const std::string_view part : reference_introduction())
     out += roff::paragraph(part);
-  for (const Phase phase : {Phase::preliminary, Phase::problem}) {
-    out += roff::section(phase_title(phase));
+  for (const CardGroup group : {CardGroup::preliminary, CardGroup::problem}) {
+    out += roff::section(group_title(group));
     for (const CardSpec& card : card_table())
-      if (card.phase == phase)
+      if (card.group == group)
         out += page_of(card);
   }
   return out + roff::section("See also") + roff::bold("blocks") + "(1)\n";

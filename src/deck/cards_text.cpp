@@ -131,10 +131,10 @@ std::string markdown_page(const CardSpec& card) {
 
 std::string all_cards() {
   std::string out;
-  for (const Phase phase : {Phase::preliminary, Phase::problem}) {
-    out += fmt::format("{}{}\n", out.empty() ? "" : "\n", phase_title(phase));
+  for (const CardGroup group : {CardGroup::preliminary, CardGroup::problem}) {
+    out += fmt::format("{}{}\n", out.empty() ? "" : "\n", group_title(group));
     for (const CardSpec& card : card_table()) {
-      if (card.phase == phase) {
+      if (card.group == group) {
         out += fmt::format("  {:<9} {}{}\n", card.name, card.summary,
                            card.required ? " (required)" : "");
       }
@@ -192,10 +192,10 @@ std::string card_reference_markdown() {
   for (const std::string_view part : reference_introduction()) {
     out += paragraph(part) + "\n";
   }
-  for (const Phase phase : {Phase::preliminary, Phase::problem}) {
-    out += fmt::format("## {}\n\n", phase_title(phase));
+  for (const CardGroup group : {CardGroup::preliminary, CardGroup::problem}) {
+    out += fmt::format("## {}\n\n", group_title(group));
     for (const CardSpec& card : card_table()) {
-      if (card.phase == phase) {
+      if (card.group == group) {
         out += markdown_page(card);
       }
     }

@@ -11,7 +11,7 @@
 
 namespace blocks::deck {
 
-/// Returns one line per card, grouped by phase.
+/// Returns one line per card, by group.
 std::string all_cards();
 
 /// Returns the page of a card, whose name may be in any case. It contains syntax,

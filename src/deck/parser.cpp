@@ -273,7 +273,7 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
   }
   // What a guess does to blocks matters for later cards. Nothing else may follow from
   // it.
-  const bool only_guessed = misspelt && spec.phase == Phase::problem &&
+  const bool only_guessed = misspelt && spec.group == CardGroup::problem &&
                             max_new_blocks(spec, first_number(line)) == 0;
   if (built && in_place && !only_guessed) {
     finish(spec, std::move(*built), where);

@@ -44,7 +44,7 @@ py::dict dict_of(const deck::FieldSpec& field) {
 py::dict dict_of(const deck::CardSpec& card) {
   py::dict one;
   one["name"] = std::string(card.name);
-  one["phase"] = card.phase == deck::Phase::preliminary ? "preliminary" : "problem";
+  one["phase"] = card.group == deck::CardGroup::preliminary ? "preliminary" : "problem";
   one["once"] = card.once;
   one["required"] = card.required;
   one["summary"] = std::string(card.summary);

@@ -33,7 +33,7 @@ TEST(CardsText, HasExamplesThatParse) {
         text += example_of("OUTLINE") + example_of("JSET") + example + "\n";
       }
       text += card.name == "CUT" ? "" : example_of("CUT");
-    } else if (card.phase == Phase::problem) {
+    } else if (card.group == CardGroup::problem) {
       text += example;
     } else {
       const auto at = text.find("\n" + std::string(card.name)) + 1;
