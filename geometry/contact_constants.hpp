@@ -44,7 +44,7 @@ inline constexpr double third_reach = 1.0 / 128.0;
 inline constexpr double longest_way = 4.0;
 
 /// A third part hides an axis only if the part that is shifted out through the axis
-/// overlaps the third one by at least this share of the shift. Flush surfaces may
+/// overlaps the third one by at least this share of the shift. Flush sides may
 /// overlap by rounding only.
 inline constexpr double remaining_share = 0.02;
 

@@ -1,6 +1,7 @@
 // Decides what a third polygon changes where two others overlap: it may continue one of
-// them, so that a side is no surface or has no end (docs/contact-rule.md). The answers
-// are exact for the stored doubles. Independent of blocks and of the time loop.
+// them, so that a side is not on the boundary of the union or has no end
+// (docs/contact-rule.md). The answers are exact for the stored doubles. Independent of
+// blocks and of the time loop.
 #pragma once
 
 #include "geometry/outline.hpp"
@@ -33,8 +34,8 @@ bool is_in_notch_of(const PolygonAxis& axis, Outline third);
 
 /// Returns whether the foot of corner c on the line p1 p2 is beyond an end of that
 /// side, at the joint between the side and a third polygon, which does not contain the
-/// corner (docs/contact-rule.md#sides-without-an-end). least_axis: the axis of least depth
-/// of the two polygons.
+/// corner (docs/contact-rule.md#sides-without-an-end). least_axis: the axis of least
+/// depth of the two polygons.
 bool is_at_joint_with(const Vec2& c, const Vec2& p1, const Vec2& p2,
                       const PolygonAxis& least_axis, Outline third);
 

@@ -1,8 +1,8 @@
 // Decides which corners of two blocks act on which edges: the contact rule
 // (docs/contact-rule.md). A closed joint is not there: of the axes of two parts whose
-// side is surface of all blocks together, the one of least depth acts. The result
-// depends only on the two blocks and on the blocks whose bounding boxes meet the grown
-// one of one of the two. All predicates are exact. The rule is independent of the
+// side is on the boundary of the union of all blocks, the one of least depth acts. The
+// result depends only on the two blocks and on the blocks whose bounding boxes meet the
+// grown one of one of the two. All predicates are exact. The rule is independent of the
 // contact list and of the time loop.
 #pragma once
 
