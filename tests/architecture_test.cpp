@@ -60,7 +60,7 @@ std::string top_of(const Include& include) { return folder_of(include.folder + '
 
 /// The list of the states of a contact. The layout of kernels and the states that
 /// readers of results know follow from it.
-constexpr const char* list_of_states = "model/joint_state.hpp";
+constexpr const char* list_of_states = "model/law_state.hpp";
 
 // Without sources the tests below would pass.
 TEST(Architecture, SourceFoldersAreFound) {

@@ -122,7 +122,7 @@ std::vector<RememberedContact> remembered(const WhyReport& report,
 }
 
 /// Returns the mean stress of a contact, [F/L^2]; 0 if no face belongs to it.
-double stress_of(double force, const JointState& state) {
+double stress_of(double force, const LawState& state) {
   return state.length > 0.0 ? force / state.length : 0.0;
 }
 
@@ -136,7 +136,7 @@ std::string lines_of(std::size_t indent, const std::string& text) {
 
 /// Describes the state of the law of a contact, and what it means for the next step.
 std::string state_in_words(const Blocks& blocks, const RememberedContact& contact) {
-  const JointState& state = contact.state;
+  const LawState& state = contact.state;
   std::string out = lines_of(
       4,
       fmt::format("law of joint {}: {}, slip {:.6g}, dilation {:.6g}, length {:.6g}, "
@@ -244,7 +244,7 @@ std::string json(const WhyReport& report, const WhyScene& scene,
                       {"normal_force", contact.normal_force},
                       {"shear_force", contact.shear_force},
                       {"overlap", contact.overlap}});
-    if (const JointState& state = contact.state; state.law != 0)
+    if (const LawState& state = contact.state; state.law != 0)
       before.back()["law"] = {
           {"joint", state.law},
           {"bond", word(quantities::bond_of(state.bonded, state.failed))},

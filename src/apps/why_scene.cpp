@@ -110,7 +110,7 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
           {blocks.first_corner[stored.corner_block[i] - 1] + stored.corner[i] - 1,
            blocks.first_corner[stored.edge_block[i] - 1] + stored.edge[i] - 1,
            stored.normal_force[i], stored.shear_force[i], stored.overlap[i],
-           stored.states.empty() ? JointState{} : stored.states[i]});
+           stored.states.empty() ? LawState{} : stored.states[i]});
   return scene;
 }
 
@@ -127,7 +127,7 @@ WhyScene from_checkpoint(const std::string& path) {
     scene.contacts.push_back(
         {contact.corner, contact.edge, contact.normal_force, contact.shear_force,
          contact.overlap,
-         i < model.joint_states.size() ? model.joint_states[i] : JointState{}});
+         i < model.law_states.size() ? model.law_states[i] : LawState{}});
   }
   return scene;
 }

@@ -16,7 +16,7 @@ struct RememberedContact {
   double overlap = 0.0;                          ///< [L] in that step
   /// The state of the law of its joint (docs/laws.md); law 0: it has none. Results do
   /// not hold all of its members.
-  JointState state = {};
+  LawState state = {};
 };
 
 struct WhyScene {

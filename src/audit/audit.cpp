@@ -32,7 +32,7 @@ class Auditor {
  public:
   explicit Auditor(const Moment& moment)
       : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
-        states_(moment.joint_states), listed_(moment.listed), held_(moment),
+        states_(moment.law_states), listed_(moment.listed), held_(moment),
         kept_(moment),
         // Each of the two blocks of a pair may move by moment.left.
         rule_(make_exact_rule(moment.blocks, 2.0 * moment.left, moment.order)) {}
@@ -179,7 +179,7 @@ class Auditor {
   const Blocks& blocks_;
   const std::vector<Contact>& contacts_;
   const Settings& settings_;
-  const std::vector<JointState>& states_;
+  const std::vector<LawState>& states_;
   const std::vector<BlockPair>& listed_;
   const HeldContacts held_;
   const KeptPairs kept_;

@@ -112,7 +112,7 @@ struct Moment {
   std::vector<int> order = {};    ///< order in which the program steps (Model::order)
   std::vector<HeldContact> held = {};  ///< of the state before the step
   /// States of the laws of joints after the step, parallel to `contacts`, or empty.
-  std::vector<JointState> joint_states = {};
+  std::vector<LawState> law_states = {};
   /// The decisions that the step made or kept, in the numbers of the steps.
   KeptDecisions kept = {};
   std::vector<PlaneContact> plane_contacts = {};  ///< after the step

@@ -10,8 +10,8 @@ namespace blocks::audit {
 
 std::vector<HeldContact> held_contacts(const Model& model) {
   std::vector<HeldContact> held;
-  for (std::size_t i = 0; i < model.joint_states.size(); ++i) {
-    const JointState& state = model.joint_states[i];
+  for (std::size_t i = 0; i < model.law_states.size(); ++i) {
+    const LawState& state = model.law_states[i];
     if (state.bonded || state.offset > 0.0)
       held.push_back({model.contacts[i].corner, model.contacts[i].edge, state.bonded,
                       state.offset, state.failed});

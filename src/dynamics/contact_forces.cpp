@@ -57,7 +57,7 @@ void release_springs(const ContactArrays& arrays, int batch,
                         arrays.at(slot), normal,
                         batches.at(slot, &SpringRow::shear_elastic)});
     if (!arrays.laws.none())
-      released.back().joint = arrays.joint_at(slot);
+      released.back().law_state = arrays.law_state_at(slot);
   });
 }
 
@@ -67,7 +67,8 @@ void find_broken(const ContactArrays& arrays, int batch, std::vector<int>& broke
   const BatchPairs& pairs = batches.pairs[batch];
   for (int k = 0; k < lane_count; ++k)
     for (int row = pairs.first_row; row < pairs.first_row + pairs.rows; ++row)
-      if (batches.joints[row].bonded[k] > batches.advanced_joints[row].bonded[k]) {
+      if (batches.law_states[row].bonded[k] >
+          batches.advanced_law_states[row].bonded[k]) {
         broken.push_back(arrays.pair_of_lane[batch * lane_count + k]);
         break;
       }
@@ -161,7 +162,7 @@ void list_contacts(Model& model, Workspace& work, bool read) {
   const ContactArrays& arrays = work.contacts;
   const ContactBatches& batches = arrays.batches;
   list_acting(arrays, work.split, *work.workers, work.forces.first_contact,
-              model.contacts, model.joint_states, [&](int slot, Contact& contact) {
+              model.contacts, model.law_states, [&](int slot, Contact& contact) {
                 const int row = slot / lane_count, k = slot % lane_count;
                 const ReadingRow& reading = batches.readings[row];
                 contact.normal_elastic = batches.springs[row].normal_elastic[k];

@@ -28,7 +28,7 @@ class SharedEnd {
     const double part = a.acts && b.acts ? 0.5 : 1.0;
     for (const auto of : {&SpringRow::normal_elastic, &SpringRow::shear_elastic})
       spread(of, part);
-    for (const auto of : {&JointRow::stiffness, &JointRow::shear_stiffness})
+    for (const auto of : {&LawRow::stiffness, &LawRow::shear_stiffness})
       spread(of, part);
     for (const Contact& contact : ends_) {
       batches_.set(contact.slot, &ContactStates::acts, contact.acts);
@@ -61,13 +61,13 @@ class SharedEnd {
            along.norm();
   }
   double& offset(const Contact& contact) const {
-    return batches_.at(contact.slot, &JointRow::offset);
+    return batches_.at(contact.slot, &LawRow::offset);
   }
 
   /// Returns whether the corner of a contact slides along its edge. Its spring then
   /// goes with the corner to the next edge.
   bool slides(const Contact& contact) const {
-    const double slip = batches_.at(contact.slot, &JointRow::slip);
+    const double slip = batches_.at(contact.slot, &LawRow::slip);
     return contact.acted &&
            slip * slip > sliding * sliding * side(contact).squaredNorm();
   }
@@ -103,9 +103,10 @@ class SharedEnd {
         [&](double* value, const double* other) {
           value[to.slot % lane_count] = other[from.slot % lane_count];
         },
-        batches_.joints[to.slot / lane_count], batches_.joints[from.slot / lane_count]);
-    batches_.at(to.slot, &JointRow::stiffness) = 0.0;
-    batches_.at(to.slot, &JointRow::shear_stiffness) = 0.0;
+        batches_.law_states[to.slot / lane_count],
+        batches_.law_states[from.slot / lane_count]);
+    batches_.at(to.slot, &LawRow::stiffness) = 0.0;
+    batches_.at(to.slot, &LawRow::shear_stiffness) = 0.0;
     if (offset(from) > 0.0)
       offset(to) += depth(from) - depth(to);
   }

@@ -34,7 +34,7 @@ std::vector<PairContact> with_springs(const KeptContact* first, int count,
       continue;
     place->acted = true;
     place->normal = acted.normal, place->shear = acted.shear;
-    place->joint = acted.joint;
+    place->law_state = acted.law_state;
   }
   return all;
 }
@@ -87,7 +87,7 @@ void restore_decisions(Model& model, Workspace& work) {
   decisions.bounds.longest_path = kept.longest_path;
   decisions.reset(work.index.size());
   ContactsOfPairs listed, contacts;
-  read_list(blocks, model.contacts, model.joint_states, work.index, listed);
+  read_list(blocks, model.contacts, model.law_states, work.index, listed);
   std::size_t k = 0;
   const KeptContact* contact = kept.contacts.data();
   auto pose = kept.poses.begin();
@@ -107,7 +107,7 @@ void restore_decisions(Model& model, Workspace& work) {
       contacts.add(p,
                    with_springs(contact, pair.contacts, listed,
                                 has_listed ? k : listed.pair.size()),
-                   !model.joint_states.empty());
+                   !model.law_states.empty());
     contact += pair.contacts;
     k += has_listed;
   }

@@ -60,13 +60,13 @@ class ServoStiffness {
     if (has_laws) {  // Contacts of STIFF may be stiffer too, after INSITU.
       const int law = batches_.at(slot, &FaceRow::law);
       const int row = slot / lane_count, k = slot % lane_count;
-      const JointRow& joint = batches_.joints[row];
-      normal = joint.stiffness[k], shear = joint.shear_stiffness[k];
+      const LawRow& row_state = batches_.law_states[row];
+      normal = row_state.stiffness[k], shear = row_state.shear_stiffness[k];
       const LawBits bit = laws_.bit(law);
       if (bit == walton_bit)  // It may unload, along the steeper line.
         normal *= laws_.values(law).unloading_ratio;
       else if (bit == barton_bit && edge.cosine != 0.0)
-        normal = bandis_tangent(laws_.values(law), joint.length[k], normal,
+        normal = bandis_tangent(laws_.values(law), row_state.length[k], normal,
                                 batches_.springs[row].normal_elastic[k] +
                                     missing_ / std::abs(edge.cosine));
     }

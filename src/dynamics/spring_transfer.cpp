@@ -43,7 +43,7 @@ class Choice {
         has_stiffness_(!arrays.laws.none() &&
                        arrays.laws.has_stiffness(arrays.laws.law_of(
                            blocks, released.at.corner, released.at.edge))),
-        is_held_(arrays.laws.in_situ() && released.joint.offset > 0.0),
+        is_held_(arrays.laws.in_situ() && released.law_state.offset > 0.0),
         adds_(has_stiffness_ || is_held_) {}
 
   Successor best() {
@@ -96,7 +96,7 @@ class Choice {
     const ContactBatches& batches = arrays_.batches;
     const int lane = lane_of_pair % lane_count;
     const SpringRow& springs = batches.springs[row];
-    const JointRow& joints = batches.joints[row];
+    const LawRow& law_states = batches.law_states[row];
     const int edge = batches.contacts[row].edge[lane],
               law = batches.faces[row].law[lane];
     // The time step is chosen for these stiffnesses. With STIFF an end of a face has
@@ -107,23 +107,23 @@ class Choice {
       return has_stiffness_ ? half * per_length : 2.0 * usual;
     };
     // An end of a face that has opened has no stiffness to pass on.
-    const bool opened = !(depth(released_.at) + released_.joint.offset > 0.0);
+    const bool opened = !(depth(released_.at) + released_.law_state.offset > 0.0);
     const auto more = [&](double stiffness) {
       return opened ? 0.0 : cosine * cosine * stiffness;
     };
     const Spring normal =
-        joined({springs.normal_elastic[lane], joints.stiffness[lane]},
-               {released_.normal, released_.joint.stiffness}, cosine,
-               more(released_.joint.stiffness),
+        joined({springs.normal_elastic[lane], law_states.stiffness[lane]},
+               {released_.normal, released_.law_state.stiffness}, cosine,
+               more(released_.law_state.stiffness),
                limit(values.normal_stiffness, settings_.normal_stiffness));
     const Spring shear =
-        joined({springs.shear_elastic[lane], joints.shear_stiffness[lane]},
-               {released_.shear, released_.joint.shear_stiffness}, cosine,
-               more(released_.joint.shear_stiffness),
+        joined({springs.shear_elastic[lane], law_states.shear_stiffness[lane]},
+               {released_.shear, released_.law_state.shear_stiffness}, cosine,
+               more(released_.law_state.shear_stiffness),
                limit(values.shear_stiffness, settings_.shear_stiffness));
     const CornerOnEdge place{batches.contacts[row].corner[lane], edge};
     const double offset = is_held_
-                              ? std::max(joints.offset[lane],
+                              ? std::max(law_states.offset[lane],
                                          normal.force / normal.stiffness - depth(place))
                               : 0.0;
     return {row * lane_count + lane,
@@ -161,7 +161,7 @@ class Choice {
     }
     const double received = cosine * released_.normal;
     const double offset =
-        arrays_.laws.in_situ() ? arrays_.batches.joints[row].offset[lane] : 0.0;
+        arrays_.laws.in_situ() ? arrays_.batches.law_states[row].offset[lane] : 0.0;
     const double overlap = std::max(
         0.0, geometry::cross(at(corner) - at(contacts.edge[lane]), edge) + offset);
     const double both = std::min(std::sqrt(received * received + own * own),
@@ -196,18 +196,18 @@ void put_stiffness(ContactArrays& arrays, const Successor& successor,
                    const ReleasedSpring& from) {
   ContactBatches& batches = arrays.batches;
   const int slot = successor.slot;
-  if (batches.at(slot, &JointRow::stiffness) == 0.0 &&
-      batches.at(slot, &JointRow::bonded) == 0.0) {
+  if (batches.at(slot, &LawRow::stiffness) == 0.0 &&
+      batches.at(slot, &LawRow::bonded) == 0.0) {
     const int law = batches.at(slot, &FaceRow::law);
-    if (arrays.laws.id(law) == from.joint.law)
-      arrays.put_joint(slot, from.joint);
+    if (arrays.laws.id(law) == from.law_state.law)
+      arrays.put_law_state(slot, from.law_state);
     else
-      batches.at(slot, &JointRow::failed) = 1.0;
+      batches.at(slot, &LawRow::failed) = 1.0;
   }
-  batches.at(slot, &JointRow::stiffness) = successor.stiffness;
-  batches.at(slot, &JointRow::shear_stiffness) = successor.shear_stiffness;
+  batches.at(slot, &LawRow::stiffness) = successor.stiffness;
+  batches.at(slot, &LawRow::shear_stiffness) = successor.shear_stiffness;
   if (successor.offset > 0.0)
-    batches.at(slot, &JointRow::offset) = successor.offset;
+    batches.at(slot, &LawRow::offset) = successor.offset;
 }
 
 }  // namespace

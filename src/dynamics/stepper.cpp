@@ -121,8 +121,8 @@ void Stepper::bring_in() {
   }
   inwards_.renumber(model_.blocks, inside_.blocks);
   inside_.plane_contacts = inwards_.renumbered(model_.plane_contacts);
-  inwards_.renumber(model_.contacts, model_.joint_states, inside_.blocks,
-                    inside_.contacts, inside_.joint_states);
+  inwards_.renumber(model_.contacts, model_.law_states, inside_.blocks,
+                    inside_.contacts, inside_.law_states);
   inside_.loads = inwards_.renumbered(model_.loads);
   inside_.drives = inwards_.renumbered(model_.drives);
   inside_.servos = inwards_.renumbered(model_.servos);
@@ -144,8 +144,8 @@ void Stepper::bring_in() {
 void Stepper::bring_out() {
   outwards_.renumber(inside_.blocks, model_.blocks);
   model_.plane_contacts = outwards_.renumbered(inside_.plane_contacts);
-  outwards_.renumber(inside_.contacts, inside_.joint_states, model_.blocks,
-                     model_.contacts, model_.joint_states);
+  outwards_.renumber(inside_.contacts, inside_.law_states, model_.blocks,
+                     model_.contacts, model_.law_states);
   outside_current_ = true;
 }
 

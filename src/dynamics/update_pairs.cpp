@@ -84,14 +84,14 @@ void drop_pieces(const std::vector<NearPair>& pairs, const std::vector<char>& ch
 void read_pieces(const Model& model, const std::vector<char>& changed,
                  const PairIndex& index, ContactsOfPairs& contacts) {
   std::vector<Contact> list;
-  std::vector<JointState> states;
+  std::vector<LawState> states;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
     if (!has_piece(changed, {low, high}))
       continue;
     list.push_back(model.contacts[i]);
-    if (!model.joint_states.empty())
-      states.push_back(model.joint_states[i]);
+    if (!model.law_states.empty())
+      states.push_back(model.law_states[i]);
   }
   read_list(model.blocks, list, states, index, contacts);
 }
@@ -163,7 +163,7 @@ void update_pairs(Model& model, Workspace& work) {
       drop_pieces(work.index.pairs, work.changed_blocks, contacts);
     work.decisions.keep_in(work.index, work.last_index, work.changed_blocks);
   } else {
-    read_list(blocks, model.contacts, model.joint_states, work.index, contacts);
+    read_list(blocks, model.contacts, model.law_states, work.index, contacts);
     work.contacts.slots_of_pair.assign(work.index.pairs.size(), 0);
     work.decisions.bounds.start(blocks, model.settings.rigid);
     work.decisions.reset(work.index.size());

@@ -16,7 +16,7 @@ namespace blocks {
 /// past.
 inline double compression(const Settings& settings,
                           const std::vector<Contact>& contacts,
-                          const std::vector<JointState>& states, std::size_t i) {
+                          const std::vector<LawState>& states, std::size_t i) {
   return i >= states.size() || (states[i].law == 0 && !settings.in_situ)
              ? contacts[i].normal_elastic / settings.normal_stiffness
              : contacts[i].overlap;

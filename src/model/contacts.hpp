@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "model/blocks.hpp"
-#include "model/joint_state.hpp"
+#include "model/law_state.hpp"
 
 namespace blocks {
 

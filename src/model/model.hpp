@@ -123,7 +123,7 @@ struct Model {
   Blocks blocks;
   std::vector<Contact> contacts;  ///< active contacts, ascending in sort_key
   /// (contacts) states of their laws; empty if the deck has no JOINT or INSITU card
-  std::vector<JointState> joint_states;
+  std::vector<LawState> law_states;
   /// Number of contacts that BOND has bonded, without bonds that REMOVE took away.
   long bonds_made = 0;
   std::vector<PlaneContact> plane_contacts;

@@ -162,9 +162,9 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
 }
 
 void Numbering::renumber(const std::vector<Contact>& from,
-                         const std::vector<JointState>& states, const Blocks& blocks,
+                         const std::vector<LawState>& states, const Blocks& blocks,
                          std::vector<Contact>& to,
-                         std::vector<JointState>& states_to) const {
+                         std::vector<LawState>& states_to) const {
   NewNumbers records;
   records.old_of.resize(from.size());
   std::iota(records.old_of.begin(), records.old_of.end(), 0);

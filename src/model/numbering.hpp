@@ -47,9 +47,9 @@ class Numbering {
   void renumber(const Blocks& from, Blocks& to) const;
   /// Renumbers corners and edges and sorts the list by sort_key. blocks: the renumbered
   /// blocks.
-  void renumber(const std::vector<Contact>& from, const std::vector<JointState>& states,
+  void renumber(const std::vector<Contact>& from, const std::vector<LawState>& states,
                 const Blocks& blocks, std::vector<Contact>& to,
-                std::vector<JointState>& states_to) const;
+                std::vector<LawState>& states_to) const;
   /// Returns the contacts with planes with new numbers of corners, in their order.
   std::vector<PlaneContact> renumbered(std::vector<PlaneContact> list) const;
   /// Returns the loads with new block numbers; their order is unchanged.

@@ -160,7 +160,7 @@ void move_contacts(Model& model, const PieceMap& map) {
   std::vector<int> order = numbers_to(model.contacts.size());
   std::sort(order.begin(), order.end(), [&](int l, int r) { return key(l) < key(r); });
   reorder(model.contacts, order);
-  reorder(model.joint_states, order);
+  reorder(model.law_states, order);
   move_plane_contacts(model.plane_contacts, map);
 }
 

@@ -13,19 +13,19 @@ void remove_contacts(Model& model) {
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const auto [low, high] = pair_of(blocks, model.contacts[i]);
     if (blocks.is_removed(low) || blocks.is_removed(high)) {
-      if (!model.joint_states.empty() && model.joint_states[i].bonded &&
-          !model.joint_states[i].failed)
+      if (!model.law_states.empty() && model.law_states[i].bonded &&
+          !model.law_states[i].failed)
         --model.bonds_made;
       continue;
     }
     model.contacts[kept] = model.contacts[i];
-    if (!model.joint_states.empty())
-      model.joint_states[kept] = model.joint_states[i];
+    if (!model.law_states.empty())
+      model.law_states[kept] = model.law_states[i];
     ++kept;
   }
   model.contacts.resize(kept);
-  if (!model.joint_states.empty())
-    model.joint_states.resize(kept);
+  if (!model.law_states.empty())
+    model.law_states.resize(kept);
 }
 
 void remove_plane_contacts(Model& model) {

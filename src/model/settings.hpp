@@ -77,7 +77,7 @@ struct Settings {
   double local_damping = 0.0;    ///< LOCDAMP: alpha, 0 <= alpha < 1
   bool kinetic_damping = false;  ///< KINDAMP
   bool mass_scaling = false;     ///< MSCALE
-  /// INSITU has acted: contacts without the law of a joint keep a JointState too.
+  /// INSITU has acted: contacts without the law of a joint keep a LawState too.
   bool in_situ = false;
   StressField ground;  ///< of the last INSITU
   bool rigid = false;  ///< IRIGID

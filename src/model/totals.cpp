@@ -28,7 +28,7 @@ ModelTotals totals(const Model& model) {
   for (const Contact& contact : model.contacts)
     count(contact.overlap);
   long intact_bonds = 0;
-  for (const JointState& state : model.joint_states) {
+  for (const LawState& state : model.law_states) {
     sum.with_law += state.law != 0;
     sum.bonded += state.law != 0 && state.bonded;
     sum.failed += state.law != 0 && state.failed;

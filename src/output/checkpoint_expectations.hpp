@@ -18,7 +18,7 @@ namespace blocks::output {
 void expect_laws(const Settings& settings);
 
 /// Expects one state for each contact, or none if there are no laws.
-void expect_joint_states(const Model& model);
+void expect_law_states(const Model& model);
 
 /// Expects driven blocks in ascending order, all fixed by the user, with the velocity
 /// of their drive.

@@ -62,10 +62,10 @@ void expect_laws(const Settings& s) {
   }
 }
 
-void expect_joint_states(const Model& model) {
-  const std::vector<JointState>& states = model.joint_states;
+void expect_law_states(const Model& model) {
+  const std::vector<LawState>& states = model.law_states;
   const auto bonds =
-      std::count_if(states.begin(), states.end(), [](const JointState& state) {
+      std::count_if(states.begin(), states.end(), [](const LawState& state) {
         return state.bonded && !state.failed;
       });
   if (model.bonds_made < bonds)
@@ -77,7 +77,7 @@ void expect_joint_states(const Model& model) {
   if (model.settings.joint_laws.empty() && !model.settings.in_situ)
     reject_checkpoint("joint_states without settings/joint_laws");
   expect_rows("joint_states", states, std::ssize(model.contacts));
-  for (const JointState& state : states)
+  for (const LawState& state : states)
     if (state.law != 0 && !model.settings.joint_laws.contains(state.law))
       reject_checkpoint(
           fmt::format("joint_states names joint id {}, which has no law", state.law));

@@ -112,8 +112,8 @@ void expect_contacts(const Model& model) {
     if (const auto [low, high] = pair_of(b, contact); low == high)
       reject_checkpoint(fmt::format("contact {} is between a block and itself", i + 1));
     // Bonded contacts have tension and gaps; dilation pushes contacts apart.
-    if (i < model.joint_states.size() &&
-        (model.joint_states[i].law != 0 || model.settings.in_situ))
+    if (i < model.law_states.size() &&
+        (model.law_states[i].law != 0 || model.settings.in_situ))
       continue;
     for (const auto& [name, value] :
          {std::pair{"normal_elastic", contact.normal_elastic},
@@ -220,7 +220,7 @@ void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_settings(model.settings);
   expect_blocks(model.blocks, model.settings);
   expect_contacts(model);
-  expect_joint_states(model);
+  expect_law_states(model);
   expect_drives(model);
   if (!std::is_sorted(model.fixed_in_ground.begin(), model.fixed_in_ground.end()))
     reject_checkpoint("fixed_in_ground is out of order");

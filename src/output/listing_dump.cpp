@@ -176,14 +176,14 @@ std::string contact_places_dump(const Model& model) {
 }
 
 /// The contacts that have the law of a joint, in the order of the list.
-std::string joint_states_dump(const Model& model) {
+std::string law_states_dump(const Model& model) {
   std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
                      over_whole("edge") + over_whole("joint") + over_whole("bond") +
                      over_number("slip") + over_number("dilation") + over_number("a0") +
                      over_number("length") + "\n";
-  for (std::size_t i = 0; i < model.joint_states.size(); ++i) {
+  for (std::size_t i = 0; i < model.law_states.size(); ++i) {
     const Contact& contact = model.contacts[i];
-    const JointState& state = model.joint_states[i];
+    const LawState& state = model.law_states[i];
     if (state.law != 0)
       text += named(model.blocks, contact.corner) + named(model.blocks, contact.edge) +
               whole(state.law) +
@@ -224,8 +224,8 @@ void Listing::dump(const Model& model) {
        << heading(fmt::format("CONTACTS, {} listed", model.contacts.size()))
        << contacts_dump(model) << "\n"
        << contact_places_dump(model);
-  if (!model.joint_states.empty())
-    out_ << heading("CONTACTS OF JOINTS WITH A LAW") << joint_states_dump(model);
+  if (!model.law_states.empty())
+    out_ << heading("CONTACTS OF JOINTS WITH A LAW") << law_states_dump(model);
   if (!model.plane_contacts.empty())
     out_ << heading(fmt::format("CORNERS AT PLANES, {} listed",
                                 model.plane_contacts.size()))

@@ -68,9 +68,9 @@ template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) 
   });
 }
 
-template <class S, class Archive> void visit_joint_states(S& states, Archive& ar) {
+template <class S, class Archive> void visit_law_states(S& states, Archive& ar) {
   ar.records("joint_states", states, [](auto& column, auto& state) {
-    each_joint_field([&](const JointField& field, auto member) {
+    each_law_field([&](const LawField& field, auto member) {
       column({field.name, field.range == StateRange::finite ? finite : not_negative},
              state.*member);
     });
@@ -178,7 +178,7 @@ template <class E, class Archive> void visit_energy(E& energy, Archive& ar) {
 }
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
-  auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts,
+  auto& [settings, blocks, contacts, law_states, bonds_made, plane_contacts,
          fixed_in_ground, loads, drives, servos, time_step, search, output, plots,
          plot_times, plot_steps, history, output_blocks, order, exits, merges, layers,
          cuts, joint_lengths, steps, time, time_origin, step_origin, started,
@@ -187,7 +187,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
-  visit_joint_states(joint_states, ar);
+  visit_law_states(law_states, ar);
   ar("bonds_made", bonds_made);
   visit_plane_contacts(plane_contacts, ar);
   ar({"fixed_in_ground", IndexOf::block}, fixed_in_ground);

@@ -29,7 +29,7 @@ class ContactColumns {
   hdf5::Column corner_block_, corner_, edge_block_, edge_;
   hdf5::Column point_, normal_, normal_force_, shear_force_, overlap_;
   hdf5::Column offsets_, counts_;
-  JointStateColumns states_;
+  LawStateColumns states_;
   hsize_t rows_ = 0;
 };
 

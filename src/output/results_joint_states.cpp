@@ -20,35 +20,35 @@ std::string path_of(const char* name) { return std::string("contacts/") + name; 
 /// rows `row` to `row + count`; contacts without a law have 0, unless INSITU has acted.
 template <class Member>
 void put_values(Column& column, hsize_t row, hsize_t count, const Model& model,
-                std::size_t first_contact, Member JointState::*member) {
+                std::size_t first_contact, Member LawState::*member) {
   std::vector<ResultsType<Member>> values(count, 0);
-  const std::vector<JointState>& states = model.joint_states;
+  const std::vector<LawState>& states = model.law_states;
   for (hsize_t i = 0; i < count && first_contact + i < states.size(); ++i)
-    if (const JointState& state = states[first_contact + i];
+    if (const LawState& state = states[first_contact + i];
         state.law != 0 || model.settings.in_situ)
       values[i] = state.*member;
   column.put(row, values.data(), count);
 }
 
-template <class Member> hid_t type_of(Member JointState::*) {
+template <class Member> hid_t type_of(Member LawState::*) {
   return std::is_same_v<Member, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT;
 }
 
 }  // namespace
 
-void JointStateColumns::create() {
-  each_joint_field([&](const JointField& field, auto member) {
+void LawStateColumns::create() {
+  each_law_field([&](const LawField& field, auto member) {
     columns_.emplace_back(own_, path_of(field.column), type_of(member), 0,
                           states_per_chunk);
   });
 }
 
-void JointStateColumns::open() {
+void LawStateColumns::open() {
   // The last column is made last. A run that was interrupted while it made them has
   // left columns without frames, which are made again.
   std::vector<std::string> found;
   std::size_t fields = 0;
-  each_joint_field([&](const JointField& field, auto) {
+  each_law_field([&](const LawField& field, auto) {
     ++fields;
     if (hdf5::exists(own_, path_of(field.column)))
       found.push_back(path_of(field.column));
@@ -63,9 +63,9 @@ void JointStateColumns::open() {
     }
 }
 
-void JointStateColumns::put(hsize_t first, hsize_t end, const Model& model) {
+void LawStateColumns::put(hsize_t first, hsize_t end, const Model& model) {
   if (columns_.empty()) {
-    if (model.settings.joint_laws.empty() && model.joint_states.empty())
+    if (model.settings.joint_laws.empty() && model.law_states.empty())
       return;
     create();
   }
@@ -73,13 +73,13 @@ void JointStateColumns::put(hsize_t first, hsize_t end, const Model& model) {
   for (hsize_t row = first, count; row < end; row += count) {
     count = std::min(states_at_once, end - row);
     auto column = columns_.begin();
-    each_joint_field([&](const JointField&, auto member) {
+    each_law_field([&](const LawField&, auto member) {
       put_values(*column++, row, count, model, row - first, member);
     });
   }
 }
 
-void JointStateColumns::truncate(hsize_t rows) {
+void LawStateColumns::truncate(hsize_t rows) {
   for (Column& column : columns_)
     if (column.rows() > rows)  // fewer: the frames kept have no contacts after it
       column.truncate(rows);

@@ -11,10 +11,10 @@ namespace blocks::output {
 /// The rows are those of the other columns of contacts. The columns are absent as long
 /// as the model has no JOINT card, so that files of other models do not depend on them.
 /// Contacts of earlier frames then have zeros.
-class JointStateColumns {
+class LawStateColumns {
  public:
   /// own: the group /BLOCKS, which stays open.
-  explicit JointStateColumns(hid_t own) : own_(own) {}
+  explicit LawStateColumns(hid_t own) : own_(own) {}
 
   /// Opens the columns of a file if it has them. Throws hdf5::Failure if one is missing
   /// or has the wrong shape.
@@ -29,7 +29,7 @@ class JointStateColumns {
   void create();
 
   hid_t own_;
-  std::vector<hdf5::Column> columns_;  ///< in the order of each_joint_field, or none
+  std::vector<hdf5::Column> columns_;  ///< in the order of each_law_field, or none
 };
 
 }  // namespace blocks::output

@@ -49,16 +49,15 @@ template <class Row> py::array table(const std::vector<Row>& rows) {
 
 /// Returns the rows with the states of the laws of joints, which have the names of the
 /// results in alphabetical order. Contacts with planes come last and have no law.
-py::array with_states(const py::array& rows, const std::vector<JointState>& states) {
+py::array with_states(const py::array& rows, const std::vector<LawState>& states) {
   std::map<std::string, py::array> columns;
-  each_joint_field(
-      [&]<class Member>(const JointField& field, Member JointState::*member) {
-        py::array_t<ResultsType<Member>> values(rows.size());
-        std::fill_n(values.mutable_data(), values.size(), ResultsType<Member>(0));
-        for (std::size_t i = 0; i < states.size(); ++i)
-          values.mutable_data()[i] = states[i].*member;
-        columns.emplace(field.name_in_tables(), values);
-      });
+  each_law_field([&]<class Member>(const LawField& field, Member LawState::*member) {
+    py::array_t<ResultsType<Member>> values(rows.size());
+    std::fill_n(values.mutable_data(), values.size(), ResultsType<Member>(0));
+    for (std::size_t i = 0; i < states.size(); ++i)
+      values.mutable_data()[i] = states[i].*member;
+    columns.emplace(field.name_in_tables(), values);
+  });
   py::list fields(rows.dtype().attr("descr"));
   for (const auto& [name, values] : columns)
     fields.append(py::make_tuple(name, values.dtype()));
@@ -78,7 +77,7 @@ py::array contact_table(const std::vector<ContactForce>& contacts, const Model& 
   for (const ContactForce& contact : contacts)
     rows.push_back(row_of(contact, model.blocks));
   const py::array plain = table(rows);
-  return model.joint_states.empty() ? plain : with_states(plain, model.joint_states);
+  return model.law_states.empty() ? plain : with_states(plain, model.law_states);
 }
 
 py::array contact_forces(const std::vector<ContactForce>& contacts,

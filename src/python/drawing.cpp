@@ -59,7 +59,7 @@ post::FrameContacts contacts_of(const py::array& table,
   const Column<int> law(table["law"]), bonded(table["bonded"]), failed(table["failed"]);
   const Column<double> slip(table["slip"]);
   for (py::ssize_t i = 0; i < law.size(); ++i) {
-    JointState& state = contacts.states.emplace_back();
+    LawState& state = contacts.states.emplace_back();
     state.law = law.at(i), state.slip = slip.at(i);
     state.bonded = bonded.at(i) != 0, state.failed = failed.at(i) != 0;
   }

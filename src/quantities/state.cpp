@@ -62,8 +62,8 @@ void list_contacts(const Model& model, std::vector<ContactState>& contacts) {
     const Contact& contact = model.contacts[i];
     contacts.push_back({number(contact.corner), number(contact.edge),
                         contact.normal_force, contact.shear_force, contact.overlap});
-    if (i < model.joint_states.size() && model.joint_states[i].law != 0)
-      contacts.back().state = model.joint_states[i];
+    if (i < model.law_states.size() && model.law_states[i].law != 0)
+      contacts.back().state = model.law_states[i];
   }
   for (const PlaneContact& contact : model.plane_contacts)
     if (contact.active)

@@ -63,7 +63,7 @@ struct ContactState {
   int corner_block = 0, edge_block = 0;
   double normal_force = 0.0, shear_force = 0.0;  ///< [F]
   double overlap = 0.0;                          ///< [L]
-  JointState state = {};  ///< of the law of a joint; all 0 for other contacts
+  LawState state = {};  ///< of the law of a joint; all 0 for other contacts
 };
 
 struct State {

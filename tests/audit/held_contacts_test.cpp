@@ -35,7 +35,7 @@ struct OnFloor {
                   {{0, 1}},
                   {},
                   held,
-                  model.joint_states});
+                  model.law_states});
   }
 };
 
@@ -89,15 +89,15 @@ TEST(HeldContacts, ArePressedInByTheirOverlap) {
   scene.acts(7, 1, false, 0.0);
   scene.model.contacts[0].normal_elastic = 10.0;
   scene.model.contacts[0].overlap = 0.003;
-  JointState state;
+  LawState state;
   state.law = 1, state.stiffness = 1e3;
-  scene.model.joint_states = {state, JointState{}};
+  scene.model.law_states = {state, LawState{}};
   const auto pressed = [&] {
     return compression(scene.model.settings, scene.model.contacts,
-                       scene.model.joint_states, 0);
+                       scene.model.law_states, 0);
   };
   EXPECT_EQ(pressed(), 0.003) << "its force depends on more than the compression";
-  scene.model.joint_states.clear();
+  scene.model.law_states.clear();
   EXPECT_EQ(pressed(), 10.0 / scene.model.settings.normal_stiffness);
 }
 

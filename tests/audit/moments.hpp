@@ -29,7 +29,7 @@ class AuditedRun {
   /// Judges the last step.
   audit::Findings audit() const {
     return audit::audit({before, model.contacts, model.settings, left, listed,
-                         model.order, held, model.joint_states, model.kept,
+                         model.order, held, model.law_states, model.kept,
                          model.plane_contacts});
   }
 

@@ -37,7 +37,7 @@ FaceSums face_between(const Model& model, int a, int b) {
       ++sums.contacts;
       sums.normal += model.contacts[i].normal_elastic;
       sums.shear += model.contacts[i].shear_elastic;
-      sums.stiffness += model.joint_states[i].stiffness;
+      sums.stiffness += model.law_states[i].stiffness;
     }
   return sums;
 }
@@ -67,7 +67,7 @@ TEST(FaceEnds, ABlockInACornerCarriesTheSameInEveryFrame) {
     EXPECT_NEAR(below.normal, scene.weight(block), 1e-4 * scene.weight(block));
     EXPECT_NEAR(beside.normal, pressure, 1e-4 * pressure) << degrees;
     for (std::size_t i = 0; i < scene.model.contacts.size(); ++i) {
-      const double share = scene.model.joint_states[i].length;
+      const double share = scene.model.law_states[i].length;
       const double of =
           pair_of(scene.model.blocks, scene.model.contacts[i]).first == floor
               ? 0.5 * scene.weight(block)

@@ -29,7 +29,7 @@ double common_length(const Model& model, int a, int b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     if (pair_of(model.blocks, model.contacts[i]) == std::minmax({a, b}))
-      sum += model.joint_states[i].length;
+      sum += model.law_states[i].length;
   return sum;
 }
 
@@ -43,7 +43,7 @@ TEST(JointLaws, FrictionAloneHasTheBitsOfFrictn) {
     plain.steps(2000), with_law.steps(2000);
     EXPECT_TRUE(plain.model.blocks.corner == with_law.model.blocks.corner);
     EXPECT_TRUE(plain.model.contacts == with_law.model.contacts);
-    EXPECT_FALSE(with_law.model.joint_states.empty());
+    EXPECT_FALSE(with_law.model.law_states.empty());
   }
 }
 
@@ -102,14 +102,14 @@ TEST(JointLaws, RestartInTheMiddleHasTheSameBits) {
     through.steps(700);
     Scene again = heap(rigid);
     again.model = through.model;
-    EXPECT_GT(std::count_if(again.model.joint_states.begin(),
-                            again.model.joint_states.end(),
-                            [](const JointState& state) { return state.offset > 0; }),
+    EXPECT_GT(std::count_if(again.model.law_states.begin(),
+                            again.model.law_states.end(),
+                            [](const LawState& state) { return state.offset > 0; }),
               0);
     through.steps(700), again.steps(700);
     EXPECT_TRUE(through.model.blocks.corner == again.model.blocks.corner);
     EXPECT_TRUE(through.model.contacts == again.model.contacts);
-    EXPECT_TRUE(through.model.joint_states == again.model.joint_states);
+    EXPECT_TRUE(through.model.law_states == again.model.law_states);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(JointLaws, ThreadsDoNotChangeResults) {
   }
   EXPECT_TRUE(one.model.blocks.corner == three.model.blocks.corner);
   EXPECT_TRUE(one.model.contacts == three.model.contacts);
-  EXPECT_TRUE(one.model.joint_states == three.model.joint_states);
+  EXPECT_TRUE(one.model.law_states == three.model.law_states);
 }
 
 TEST(JointLaws, DrivenBlockActsOnFixedOne) {

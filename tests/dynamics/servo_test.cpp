@@ -85,8 +85,8 @@ TEST(Servo, CountsTheStiffnessesThatContactsKeepAfterInsitu) {
   touch(scene);
   Model& model = scene.model;
   model.settings.in_situ = true;
-  model.joint_states.resize(model.contacts.size());
-  for (JointState& state : model.joint_states) {
+  model.law_states.resize(model.contacts.size());
+  for (LawState& state : model.law_states) {
     state.stiffness = state.shear_stiffness = 2.0 * model.settings.normal_stiffness;
     state.failed = true;
   }

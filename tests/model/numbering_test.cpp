@@ -122,7 +122,7 @@ Model random_model(Dice& dice) {
     model.contacts.push_back(
         {corner, edge, dice.number(), dice.number(), dice.number()});
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    model.joint_states.push_back({dice.below(3), dice.number(), dice.number()});
+    model.law_states.push_back({dice.below(3), dice.number(), dice.number()});
   std::set<std::pair<int, int>> on_planes;
   for (int k = dice.below(20); k > 0; --k)
     on_planes.emplace(dice.below(2), dice.below(blocks.corners()));
@@ -142,8 +142,7 @@ Model random_model(Dice& dice) {
 Model renumbered(const Model& from, const Numbering& by) {
   Model to;
   by.renumber(from.blocks, to.blocks);
-  by.renumber(from.contacts, from.joint_states, to.blocks, to.contacts,
-              to.joint_states);
+  by.renumber(from.contacts, from.law_states, to.blocks, to.contacts, to.law_states);
   to.plane_contacts = by.renumbered(from.plane_contacts);
   to.loads = by.renumbered(from.loads);
   to.drives = by.renumbered(from.drives);
@@ -213,10 +212,10 @@ TEST(Numbering, KeepsStatesWithTheirContactsAndDrivesWithTheirBlocks) {
   for (unsigned seed = 1; seed <= models; ++seed) {
     Renumbered r(seed);
     for (std::size_t k = 0; k < r.model.contacts.size(); ++k)
-      r.model.joint_states[k].slip = r.model.contacts[k].normal_elastic;
+      r.model.law_states[k].slip = r.model.contacts[k].normal_elastic;
     const Model other = renumbered(r.model, r.numbering);
     for (std::size_t k = 0; k < other.contacts.size(); ++k)
-      ASSERT_EQ(other.joint_states[k].slip, other.contacts[k].normal_elastic);
+      ASSERT_EQ(other.law_states[k].slip, other.contacts[k].normal_elastic);
     ASSERT_EQ(other.drives.size(), r.model.drives.size());
     for (std::size_t k = 0; k < other.drives.size(); ++k) {
       ASSERT_EQ(other.blocks.fixity[other.drives[k].block], Fixity::by_user);

@@ -291,11 +291,11 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
               m.settings.joint_of_materials[{3, 4}] = 5;
             }),
             "settings/joint_of_materials names materials 3 and 4");
-  EXPECT_EQ(message([](Model& m, auto&) { m.joint_states.pop_back(); }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.law_states.pop_back(); }),
             "joint_states has 1 rows, expected 2");
-  EXPECT_EQ(message([](Model& m, auto&) { m.joint_states[1].law = 8; }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.law_states[1].law = 8; }),
             "joint_states names joint id 8, which has no law");
-  EXPECT_EQ(message([](Model& m, auto&) { m.joint_states[1].path = -1; }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.law_states[1].path = -1; }),
             "joint_states/path: value 2 is -1, expected a number from 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.drives[0].block = 1; }),
             "drives names block 2, which is not driven");

@@ -25,14 +25,14 @@ Model with_states() {
   model.contacts.push_back({7, 1, 0.25, 0.0, 0.25, 0.0, 0.03125});
   model.plane_contacts[0].active = true;
   model.settings.joint_laws[5] = {};
-  JointState state;
+  LawState state;
   state.law = 5, state.bonded = true, state.failed = true;
   state.slip = -0.5, state.path = 0.75, state.offset = 0.125;
   state.closure = 0.0625, state.plastic = 0.03125;
   state.stiffness = 1e6, state.shear_stiffness = 5e5, state.length = 2.0;
-  JointState without_law;  // its slip is of no interest
+  LawState without_law;  // its slip is of no interest
   without_law.slip = 7.0, without_law.failed = true;
-  model.joint_states = {state, without_law};
+  model.law_states = {state, without_law};
   return model;
 }
 
@@ -68,14 +68,14 @@ TEST(ResultsJointStates, AreReadBackFromTheFrameInWhichTheyBegin) {
     Model model = with_states();
     const Model laws = model;
     model.settings.joint_laws.clear();
-    model.joint_states.clear();
+    model.law_states.clear();
     write_next(writer, model);
     model.settings.joint_laws = laws.settings.joint_laws;
-    model.joint_states = laws.joint_states;
+    model.law_states = laws.law_states;
     write_next(writer, model);
   }
   const ResultsReader results(path);
-  const JointState none, with_law = with_states().joint_states[0];
+  const LawState none, with_law = with_states().law_states[0];
   EXPECT_THAT(results.contacts(0).states, ElementsAre(none, none, none));
   EXPECT_THAT(results.contacts(1).states, ElementsAre(with_law, none, none));
 }
@@ -87,13 +87,13 @@ TEST(ResultsJointStates, AContinuedFileIsThatOfARunThatWasNotInterrupted) {
   {
     ResultsWriter writer(path, identity);
     write_next(writer, model);
-    model.joint_states[0].slip = 99.0;
+    model.law_states[0].slip = 99.0;
     write_next(writer, model);
   }
   {
     ResultsWriter writer = ResultsWriter::reopen(path, 1);
-    model.contacts.pop_back(), model.joint_states.pop_back();
-    model.joint_states[0].slip = 3.0;
+    model.contacts.pop_back(), model.law_states.pop_back();
+    model.law_states[0].slip = 3.0;
     write_next(writer, model);
   }
   const ResultsReader results(path);

@@ -78,7 +78,7 @@ inline void add_laws(Model& model) {
   barton.residual_angle = 30, barton.peak_slip = 0.25, barton.initial_stiffness = 1e5;
   barton.largest_closure = 0.5, barton.largest_stiffness = 1e6;
   model.settings.joint_of_materials[{3, 3}] = 5;
-  model.joint_states = {
+  model.law_states = {
       {5, 3e6, 4e6, -0.03125, 0.0625, 0.015625, 0.0078125, 0.25, true, false, 0.75},
       {0, 1e7, 5e6, 0, 0, 0, 0, 0, false, true, 0}};
   model.bonds_made = 3;

@@ -84,12 +84,12 @@ Model jointed_stairs() {
   model.contacts = {{0, 4, 0, 0, 30.0, -5.0, 0.25},
                     {5, 1, 0, 0, 10.0, 1.0, 0.125},
                     {4, 8, 0, 0, 2.0, 4.0, 0.5}};
-  JointState one;
+  LawState one;
   one.law = 7, one.bonded = true, one.failed = true;
   one.slip = -3.0, one.offset = 0.5, one.length = 1.5;
-  JointState two;
+  LawState two;
   two.law = 7, two.bonded = true, two.slip = 1.0, two.length = 0.5;
-  model.joint_states = {one, two, {}};
+  model.law_states = {one, two, {}};
   return model;
 }
 

@@ -48,9 +48,9 @@ TEST(DeepContact, MayBeExplainedByAThirdBlockNearBoth) {
 
 TEST(DeepContact, IsNotOneThatALawHolds) {
   Model model = phantom(0.01);
-  model.joint_states.resize(1);
+  model.law_states.resize(1);
   EXPECT_TRUE(find_deep_contact(model));
-  model.joint_states[0].bonded = true;
+  model.law_states[0].bonded = true;
   EXPECT_FALSE(find_deep_contact(model));
 }
 

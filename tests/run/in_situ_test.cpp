@@ -257,7 +257,7 @@ TEST_F(InSitu, MobilisesTheStrengthOfBarton) {
   EXPECT_THAT(outcome_.err, Not(HasSubstr("cannot carry")));
   EXPECT_LE(unbalanced_ratio(model), 1e-12);
   double path = 0.0;
-  for (const JointState& state : model.joint_states) {
+  for (const LawState& state : model.law_states) {
     path = std::max(path, state.path);
     EXPECT_NEAR(state.slip, 0.0, 1e-15);
   }

@@ -35,10 +35,10 @@ inline void touch_with_law(Model& model) {
         const double length = 0.5 * std::abs(end - foot);
         model.contacts.push_back(
             {c, e, 10.0 * length, 2.0 * length, 10.0 * length, 2.0 * length, 1e-6});
-        JointState state;
+        LawState state;
         state.law = 1, state.bonded = true, state.length = length;
         state.stiffness = 1e9 * length, state.shear_stiffness = 5e8 * length;
-        model.joint_states.push_back(state);
+        model.law_states.push_back(state);
       }
     }
 }
@@ -68,7 +68,7 @@ inline Model joint_wall(int courses, int bricks) {
 inline void crack(Model& model, double at) {
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const Vec2 p = model.blocks.corner.col(model.contacts[i].corner);
-    JointState& state = model.joint_states[i];
+    LawState& state = model.law_states[i];
     const double depth = at - std::abs(p.x() - p.y() - 2.0);
     if (depth <= 0.0)
       continue;

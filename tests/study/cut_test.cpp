@@ -152,7 +152,7 @@ TEST(BondedScene, HasBonds) {
   const Model model = place(scene.model, Frame{}, Corners::sharp);
   const BlockRun run(model, all_variants().front());
   int bonded = 0;
-  for (const JointState& state : run.model.joint_states)
+  for (const LawState& state : run.model.law_states)
     bonded += state.bonded;
   EXPECT_GE(bonded, 2 * (scene.model.blocks.size() - 2));
 }

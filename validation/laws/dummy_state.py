@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Is a new state of a contact one line of the list of states and its use in a law?
 
-dummy_state.py adds the state `dummy` to BLOCKS_JOINT_STATES (src/model/joint_state.hpp) in a copy
+dummy_state.py adds the state `dummy` to BLOCKS_LAW_STATES (src/model/law_state.hpp) in a copy
 of the sources, lets the law of JOINT count its steps in it, and builds the program, and the Python
 package if CMake finds what it needs. It runs a deck and looks for the state in the checkpoint, the
 results, the PVD and CSV files and the tables of Python. It exits with 1 if the state is missing
@@ -21,7 +21,7 @@ import h5py
 ROOT = Path(__file__).resolve().parents[2]
 LAST_STATE = "  /* L, the part of the faces"
 CHANGES = {
-    "src/model/joint_state.hpp": (
+    "src/model/law_state.hpp": (
         LAST_STATE, '  STATE(dummy, double, "DummyState", none, not_negative) \\\n' + LAST_STATE),
     "src/dynamics/kernels/coulomb_law.hpp": (
         "  state.offset = state.offset + rise;\n",

@@ -18,27 +18,27 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
                          acts ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
                          acts ? batches.at(slot, &SpringRow::shear_elastic) : 0.0}});
     if (acts && !laws.none())
-      contacts.back().joint = joint_at(slot);
+      contacts.back().law_state = law_state_at(slot);
   });
 }
 
-JointState ContactArrays::joint_at(int slot) const {
-  const JointRow& row = batches.joints[slot / lane_count];
+LawState ContactArrays::law_state_at(int slot) const {
+  const LawRow& row = batches.law_states[slot / lane_count];
   const int k = slot % lane_count, law = batches.at(slot, &FaceRow::law);
   // Contacts without a law may share a batch with others, whose kernel writes to them.
   if (law == 0 && !laws.in_situ())
     return {};
-  JointState state = {.law = laws.id(law)};
+  LawState state = {.law = laws.id(law)};
   each_state([k]<class State>(State& to,
                               const double* from) { to = static_cast<State>(from[k]); },
              state, row);
   return state;
 }
 
-void ContactArrays::put_joint(int slot, const JointState& state) {
+void ContactArrays::put_law_state(int slot, const LawState& state) {
   const int k = slot % lane_count;
   each_state([k](double* to, auto from) { to[k] = static_cast<double>(from); },
-             batches.joints[slot / lane_count], state);
+             batches.law_states[slot / lane_count], state);
 }
 
 /// Finds the laws of the contacts of pair p and their partners.
@@ -215,7 +215,7 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
   batches.springs[row].normal_elastic[k] = contact.normal;
   batches.springs[row].shear_elastic[k] = contact.shear;
   if (!laws.none())
-    put_joint(slot, contact.joint);
+    put_law_state(slot, contact.law_state);
 }
 
 }  // namespace blocks::dynamics

@@ -73,9 +73,9 @@ struct ContactArrays {
     return {batches.at(slot, &ContactRow::corner), batches.at(slot, &ContactRow::edge)};
   }
   /// Returns the state of the law of a slot.
-  JointState joint_at(int slot) const;
+  LawState law_state_at(int slot) const;
   /// Sets the state of the law of a slot.
-  void put_joint(int slot, const JointState& state);
+  void put_law_state(int slot, const LawState& state);
   /// Returns whether the slot has no contact. Such a slot has equal corner and edge,
   /// which no contact has.
   bool is_vacant(int slot) const { return at(slot).corner == at(slot).edge; }

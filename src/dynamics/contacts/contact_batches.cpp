@@ -40,8 +40,8 @@ void ContactBatches::reserve(int batches, int rows, bool with_laws) {
     law_capacity_ = with_spare(rows);
     make(law_capacity_, own_faces_, faces);
     make(law_capacity_, own_dashpots_, dashpots);
-    make(law_capacity_, own_joints_, joints);
-    make(law_capacity_, own_advanced_joints_, advanced_joints);
+    make(law_capacity_, own_law_states_, law_states);
+    make(law_capacity_, own_advanced_law_states_, advanced_law_states);
   }
 }
 
@@ -58,8 +58,8 @@ int ContactBatches::add_batch(int rows) {
   if (with_laws_) {
     std::fill_n(faces + rows_, rows, FaceRow{});
     std::fill_n(dashpots + rows_, rows, DashpotRow{});
-    std::fill_n(joints + rows_, rows, JointRow{});
-    std::fill_n(advanced_joints + rows_, rows, JointRow{});
+    std::fill_n(law_states + rows_, rows, LawRow{});
+    std::fill_n(advanced_law_states + rows_, rows, LawRow{});
   }
   rows_ += rows;
   return batches_++;

@@ -36,7 +36,7 @@ class ContactBatches : public BatchArrays {
   /// The springs at the end of this step become those at the start of the next step.
   void advance_springs() {
     std::swap(springs, advanced);
-    std::swap(joints, advanced_joints);
+    std::swap(law_states, advanced_law_states);
   }
 
   /// Returns a number of one lane or slot, such as at(slot, &ContactRow::corner).
@@ -60,7 +60,7 @@ class ContactBatches : public BatchArrays {
   ContactRow* part(ContactRow*) const { return contacts; }
   SpringRow* part(SpringRow*) const { return springs; }
   FaceRow* part(FaceRow*) const { return faces; }
-  JointRow* part(JointRow*) const { return joints; }
+  LawRow* part(LawRow*) const { return law_states; }
   ContactTests* part(ContactTests*) const { return tests; }
   ContactStates* part(ContactStates*) const { return states; }
 
@@ -79,7 +79,7 @@ class ContactBatches : public BatchArrays {
   std::unique_ptr<ReadingRow[]> own_readings_;
   std::unique_ptr<FaceRow[]> own_faces_;
   std::unique_ptr<DashpotRow[]> own_dashpots_;
-  std::unique_ptr<JointRow[]> own_joints_, own_advanced_joints_;
+  std::unique_ptr<LawRow[]> own_law_states_, own_advanced_law_states_;
 };
 
 }  // namespace blocks::dynamics

@@ -6,7 +6,7 @@
 namespace blocks::dynamics {
 
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
-               const std::vector<JointState>& states, const PairIndex& index,
+               const std::vector<LawState>& states, const PairIndex& index,
                ContactsOfPairs& all) {
   all.clear();
   std::vector<PairContact> own;
@@ -21,7 +21,7 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
                       .normal = next->normal_elastic,
                       .shear = next->shear_elastic}});
       if (!states.empty())
-        own.back().joint = states[static_cast<std::size_t>(next - list.begin())];
+        own.back().law_state = states[static_cast<std::size_t>(next - list.begin())];
     }
     const auto blocks_of = [&] {
       return std::pair(index.pairs[p].low, index.pairs[p].high);

@@ -19,7 +19,7 @@ namespace blocks::dynamics {
 /// pairs that are not in the index are left out. states: those of the laws, (list) or
 /// empty.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
-               const std::vector<JointState>& states, const PairIndex& index,
+               const std::vector<LawState>& states, const PairIndex& index,
                ContactsOfPairs& all);
 
 /// Lists the acting contacts in the order of the pairs, on all threads. put(slot,
@@ -28,7 +28,7 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
 template <class Put>
 void list_acting(const ContactArrays& arrays, const WorkSplit& split, Workers& workers,
                  std::vector<int>& first, std::vector<Contact>& list,
-                 std::vector<JointState>& states, const Put& put) {
+                 std::vector<LawState>& states, const Put& put) {
   const ContactBatches& batches = arrays.batches;
   first.assign(arrays.first_batch.size(), 0);
   workers.each(split.windows, [&](int, int begin, int end) {
@@ -56,7 +56,7 @@ void list_acting(const ContactArrays& arrays, const WorkSplit& split, Workers& w
           list[i].corner = arrays.at(slot).corner, list[i].edge = arrays.at(slot).edge;
           put(slot, list[i]);
           if (has_states)
-            states[i] = arrays.joint_at(slot);
+            states[i] = arrays.law_state_at(slot);
           ++i;
         });
     }

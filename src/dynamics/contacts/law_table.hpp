@@ -15,7 +15,7 @@ namespace blocks::dynamics {
 /// and FRICTN. After INSITU every contact has a state, also those of law 0.
 class LawTable {
  public:
-  /// Returns whether no contact has a state (JointState): the model has no laws of
+  /// Returns whether no contact has a state (LawState): the model has no laws of
   /// joints and no INSITU card.
   bool none() const { return ids_.size() <= 1 && !in_situ_; }
   /// Returns whether an INSITU card has acted. Contacts of law 0 have offsets then.

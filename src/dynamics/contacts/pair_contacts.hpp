@@ -20,11 +20,13 @@ struct ContactRecord {
 
 /// The same with the state of its law.
 struct PairContact : ContactRecord {
-  JointState joint = {};
+  LawState law_state = {};
 
   /// Returns whether the contact may go on acting without being found by the contact
   /// rule: the kernel decides (find_acting_or_held).
-  bool may_be_held() const { return acted && (joint.bonded || joint.offset > 0.0); }
+  bool may_be_held() const {
+    return acted && (law_state.bonded || law_state.offset > 0.0);
+  }
 };
 
 /// Pair pair[k] has the contacts from all[first[k]] to all[first[k + 1]], a half-open
@@ -32,17 +34,17 @@ struct PairContact : ContactRecord {
 struct ContactsOfPairs {
   std::vector<int> pair, first = {0};
   std::vector<ContactRecord> all;
-  std::vector<JointState> joints;  ///< (all); empty if laws are LawTable::none
+  std::vector<LawState> law_states;  ///< (all); empty if laws are LawTable::none
 
-  void clear() { pair.clear(), first.assign(1, 0), all.clear(), joints.clear(); }
-  /// Adds contacts of pair p. with_laws: contacts have a JointState (LawTable::none is
+  void clear() { pair.clear(), first.assign(1, 0), all.clear(), law_states.clear(); }
+  /// Adds contacts of pair p. with_laws: contacts have a LawState (LawTable::none is
   /// false).
   void add(int p, const std::vector<PairContact>& contacts, bool with_laws) {
     pair.push_back(p);
     for (const PairContact& contact : contacts) {
       all.push_back(contact);
       if (with_laws)
-        joints.push_back(contact.joint);
+        law_states.push_back(contact.law_state);
     }
     first.push_back(static_cast<int>(all.size()));
   }
@@ -52,12 +54,12 @@ struct ContactsOfPairs {
     const auto copy = [](const auto& from, auto& to) {
       to.insert(to.end(), from.begin(), from.end());
     };
-    copy(other.pair, pair), copy(other.all, all), copy(other.joints, joints);
+    copy(other.pair, pair), copy(other.all, all), copy(other.law_states, law_states);
     for (std::size_t k = 1; k < other.first.size(); ++k)
       first.push_back(before + other.first[k]);
   }
   PairContact at(std::size_t i) const {
-    return {all[i], joints.empty() ? JointState{} : joints[i]};
+    return {all[i], law_states.empty() ? LawState{} : law_states[i]};
   }
 };
 
@@ -66,8 +68,8 @@ struct ContactsOfPairs {
 struct ReleasedSpring {
   int pair;
   CornerOnEdge at;
-  double normal, shear;   ///< [F] normal > 0
-  JointState joint = {};  ///< of the contact; empty if LawTable::none
+  double normal, shear;     ///< [F] normal > 0
+  LawState law_state = {};  ///< of the contact; empty if LawTable::none
 };
 
 /// The changes that one thread makes when it assigns contacts (ContactArrays::assign).

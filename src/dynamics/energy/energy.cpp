@@ -56,8 +56,8 @@ double listed_springs(const Model& model, const LawTable& laws) {
     if (low / items_of_chunk != last.first / items_of_chunk)
       sum += std::exchange(of_chunk, 0.0);
     last = {low, high};
-    const JointState* const state =
-        model.joint_states.empty() ? nullptr : &model.joint_states[i];
+    const LawState* const state =
+        model.law_states.empty() ? nullptr : &model.law_states[i];
     of_pair += springs.of(model.contacts[i], state).both();
   }
   return sum + (of_chunk + of_pair);

@@ -4,7 +4,7 @@
 
 namespace blocks::dynamics {
 
-ContactState<double> state_of(const Contact& contact, const JointState& state) {
+ContactState<double> state_of(const Contact& contact, const LawState& state) {
   ContactState<double> now;
   now.normal = contact.normal_elastic, now.shear = contact.shear_elastic;
   each_state([](double& to, auto from) { to = static_cast<double>(from); }, now, state);
@@ -26,7 +26,7 @@ SpringEnergy SpringEnergies::of(int law, ContactState<double> state) const {
   return {normal, shear_energy(state)};
 }
 
-SpringEnergy SpringEnergies::of(const Contact& contact, const JointState* state) const {
+SpringEnergy SpringEnergies::of(const Contact& contact, const LawState* state) const {
   return state == nullptr ? of(0, state_of(contact, {}))
                           : of(laws_.number_of(state->law), state_of(contact, *state));
 }

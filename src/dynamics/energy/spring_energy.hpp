@@ -14,7 +14,7 @@ struct SpringEnergy {
 };
 
 /// Returns the state of a contact of the list, as its law sees it.
-ContactState<double> state_of(const Contact& contact, const JointState& state);
+ContactState<double> state_of(const Contact& contact, const LawState& state);
 
 /// Refers to the settings and the table.
 class SpringEnergies {
@@ -24,7 +24,7 @@ class SpringEnergies {
   /// that have no stiffness yet, have that of STIFF.
   SpringEnergy of(int law, ContactState<double> state) const;
   /// Returns the energies of a contact of the list. state: null without laws.
-  SpringEnergy of(const Contact& contact, const JointState* state) const;
+  SpringEnergy of(const Contact& contact, const LawState* state) const;
 
  private:
   const Settings& settings_;

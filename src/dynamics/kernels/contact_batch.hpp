@@ -85,10 +85,10 @@ struct BatchArrays {
   SpringRow* advanced = nullptr;    ///< (rows) at the end of the step
   ReadingRow* readings = nullptr;   ///< (rows) for output only
   // Only in models with laws of joints or INSITU.
-  FaceRow* faces = nullptr;             ///< (rows)
-  DashpotRow* dashpots = nullptr;       ///< (rows)
-  JointRow* joints = nullptr;           ///< (rows) at the start of the step
-  JointRow* advanced_joints = nullptr;  ///< (rows) at the end of the step
+  FaceRow* faces = nullptr;               ///< (rows)
+  DashpotRow* dashpots = nullptr;         ///< (rows)
+  LawRow* law_states = nullptr;           ///< (rows) at the start of the step
+  LawRow* advanced_law_states = nullptr;  ///< (rows) at the end of the step
   LawColumns laws;
   bool has_account = false;  ///< the model keeps an energy account
 };

@@ -32,11 +32,11 @@ struct alignas(64) DashpotRow {
   PerLane<double> root;       ///< of the stiffness over that of STIFF
 };
 
-/// What laws remember of the contacts of a row (JointState of the model). Flags are 1
+/// What laws remember of the contacts of a row (LawState of the model). Flags are 1
 /// or 0.
-struct alignas(64) JointRow {
+struct alignas(64) LawRow {
 #define BLOCKS_MEMBER(member, ...) PerLane<double> member;
-  BLOCKS_JOINT_STATES(BLOCKS_MEMBER)
+  BLOCKS_LAW_STATES(BLOCKS_MEMBER)
 #undef BLOCKS_MEMBER
 };
 

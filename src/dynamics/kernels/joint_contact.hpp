@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dynamics/kernels/law_values.hpp"
-#include "model/joint_state.hpp"
+#include "model/law_state.hpp"
 
 namespace blocks::dynamics {
 
@@ -16,12 +16,12 @@ template <class Number> struct ContactMotion {
   Number starting;  ///< 1 in the first step of the contact or after a transfer, else 0
 };
 
-/// The state of a contact, advanced by its law. See JointState; flags are 1 or 0. The
+/// The state of a contact, advanced by its law. See LawState; flags are 1 or 0. The
 /// step sets `length` before the law acts.
 template <class Number> struct ContactState {
   Number normal, shear;  ///< [F] FN, FS of the springs
 #define BLOCKS_MEMBER(member, ...) Number member;
-  BLOCKS_JOINT_STATES(BLOCKS_MEMBER)
+  BLOCKS_LAW_STATES(BLOCKS_MEMBER)
 #undef BLOCKS_MEMBER
 };
 

@@ -13,12 +13,12 @@ namespace {
 BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
                                        const Sides& sides, int i) {
   ContactStates& states = batches.states[s];
-  const JointRow& joints = batches.joints[s];
+  const LawRow& law_states = batches.law_states[s];
   const Bits before = load(states.acts, i);
   find_acting(batches.tests[s], states, sides, i);
-  const Pack offset = load(joints.offset, i);
-  const Bits bonded = less(Pack{}, load(joints.bonded, i));
-  const Bits failed = less(Pack{}, load(joints.failed, i));
+  const Pack offset = load(law_states.offset, i);
+  const Bits bonded = less(Pack{}, load(law_states.bonded, i));
+  const Bits failed = less(Pack{}, load(law_states.failed, i));
   Bits holds = less(Pack{}, offset);
   Bits weakened = bonded & failed;
   if ((holds | weakened) != 0) {
@@ -85,7 +85,7 @@ BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, i
   };
   get(state.normal, batches.springs[s].normal_elastic);
   get(state.shear, batches.springs[s].shear_elastic);
-  each_state(get, state, batches.joints[s]);
+  each_state(get, state, batches.law_states[s]);
   const Pack born_failed = state.bonded > 0.0 ? state.failed : all_of(1.0);
   state.failed = state.stiffness > 0.0 ? state.failed : born_failed;
   return state;
@@ -93,14 +93,14 @@ BLOCKS_INLINE ContactState<Pack> load_state(const BatchArrays& batches, int s, i
 /// Stores the states of the lanes that act, and zeros for the others.
 BLOCKS_INLINE void store_state(const BatchArrays& batches, int batch, int s, int i,
                                Choice acts, const ContactState<Pack>& state) {
-  if (less(where(acts, state.bonded), load(batches.joints[s].bonded, i)) != 0)
+  if (less(where(acts, state.bonded), load(batches.law_states[s].bonded, i)) != 0)
     batches.marks[batch].breaks = true;
   const auto put = [&](double* row, const Pack& x) __attribute__((always_inline)) {
     store(row, i, where(acts, x));
   };
   put(batches.advanced[s].normal_elastic, state.normal);
   put(batches.advanced[s].shear_elastic, state.shear);
-  each_state(put, batches.advanced_joints[s], state);
+  each_state(put, batches.advanced_law_states[s], state);
 }
 
 /// Returns by how much the dashpot of a contact is weaker because another contact acts

@@ -14,7 +14,7 @@ namespace {
 
 /// Bonds a contact. Adds it if it is not listed.
 void bond(Model& model, ContactTable& table, const CornerOnEdge& at, int id) {
-  JointState& state = table.find_or_add(at).second;
+  LawState& state = table.find_or_add(at).second;
   if (!state.bonded || state.failed)
     ++model.bonds_made;
   state.law = id, state.bonded = true, state.failed = false;

@@ -14,9 +14,9 @@ Contact unloaded(const CornerOnEdge& at) {
 }  // namespace
 
 ContactTable::ContactTable(Model& model) : model_(model) {
-  model.joint_states.resize(model.contacts.size());
+  model.law_states.resize(model.contacts.size());
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
-    all_.push_back({model.contacts[i], model.joint_states[i]});
+    all_.push_back({model.contacts[i], model.law_states[i]});
   listed_ = all_.size();
 }
 
@@ -33,16 +33,16 @@ ContactEntry* ContactTable::find(const CornerOnEdge& at) {
 
 ContactEntry& ContactTable::find_or_add(const CornerOnEdge& at) {
   ContactEntry* const listed = find(at);
-  return listed != nullptr ? *listed : all_.emplace_back(unloaded(at), JointState{});
+  return listed != nullptr ? *listed : all_.emplace_back(unloaded(at), LawState{});
 }
 
 void ContactTable::finish() {
   std::sort(all_.begin(), all_.end(), [&](const auto& l, const auto& r) {
     return sort_key(model_.blocks, l.first) < sort_key(model_.blocks, r.first);
   });
-  model_.contacts.clear(), model_.joint_states.clear();
+  model_.contacts.clear(), model_.law_states.clear();
   for (const auto& [contact, state] : all_)
-    model_.contacts.push_back(contact), model_.joint_states.push_back(state);
+    model_.contacts.push_back(contact), model_.law_states.push_back(state);
 }
 
 }  // namespace blocks::dynamics

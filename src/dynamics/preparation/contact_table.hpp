@@ -11,7 +11,7 @@
 namespace blocks::dynamics {
 
 /// A contact and the state of its law.
-using ContactEntry = std::pair<Contact, JointState>;
+using ContactEntry = std::pair<Contact, LawState>;
 
 /// Finds and adds contacts. Refers to the model, whose list does not change before
 /// `finish`.

@@ -74,7 +74,7 @@ template <class Chosen> InSituReport load_pairs(Model& model, const Chosen& chos
   loading.finish();
   if (report.contacts == 0 && !had_states) {
     settings.in_situ = false;
-    model.joint_states.clear();
+    model.law_states.clear();
   }
   return report;
 }

@@ -37,7 +37,7 @@ void unload(ContactEntry& entry) {
 
 /// Returns the least slip that mobilises a strength of BARTON of at least the shear
 /// force, [L]; 0 if no slip does.
-double mobilising_path(const LawValues<double>& law, const JointState& state,
+double mobilising_path(const LawValues<double>& law, const LawState& state,
                        const FaceLoad& load) {
   const double shear = std::abs(load.shear);
   const double elastic =

@@ -74,8 +74,8 @@ class ContactStiffness {
   /// their law by a softer one.
   void find_present(const Model& model) {
     present_.assign(static_cast<std::size_t>(model.blocks.size()), 0.0);
-    for (std::size_t i = 0; i < model.joint_states.size(); ++i) {
-      const JointState& state = model.joint_states[i];
+    for (std::size_t i = 0; i < model.law_states.size(); ++i) {
+      const LawState& state = model.law_states[i];
       if (state.law == 0)
         continue;
       const auto law = settings_.joint_laws.find(state.law);

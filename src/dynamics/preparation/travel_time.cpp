@@ -21,10 +21,9 @@ using Ways = std::vector<std::vector<std::pair<int, double>>>;
 std::map<std::pair<int, int>, double> acting_stiffness(const Model& model) {
   std::map<std::pair<int, int>, double> stiffness;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    const bool has_law =
-        i < model.joint_states.size() && model.joint_states[i].law != 0;
+    const bool has_law = i < model.law_states.size() && model.law_states[i].law != 0;
     stiffness[pair_of(model.blocks, model.contacts[i])] +=
-        has_law ? model.joint_states[i].stiffness : model.settings.normal_stiffness;
+        has_law ? model.law_states[i].stiffness : model.settings.normal_stiffness;
   }
   return stiffness;
 }

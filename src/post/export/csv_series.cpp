@@ -52,8 +52,8 @@ Eigen::Matrix2Xd plain(const Eigen::Matrix2Xd& values) { return values.array() +
 /// Calls act(field, pointer to member) for the states that a row of a contact has after
 /// `joint` and `bond`.
 template <class Act> void each_state_column(const Act& act) {
-  each_joint_field([&](const JointField& field, auto member) {
-    if constexpr (!std::is_same_v<decltype(member), int JointState::*>)
+  each_law_field([&](const LawField& field, auto member) {
+    if constexpr (!std::is_same_v<decltype(member), int LawState::*>)
       act(field, member);
   });
 }
@@ -61,17 +61,17 @@ template <class Act> void each_state_column(const Act& act) {
 std::string state_names() {
   std::string names = ",joint,bond";
   each_state_column(
-      [&](const JointField& field, auto) { names += "," + field.name_in_tables(); });
+      [&](const LawField& field, auto) { names += "," + field.name_in_tables(); });
   return names;
 }
 
 /// Returns the state of the law of a contact; `bond` is empty if it has no law.
-std::string state_columns(const JointState& state) {
+std::string state_columns(const LawState& state) {
   std::string text = fmt::format(",{},{}", state.law,
                                  state.law == 0 ? ""
                                                 : quantities::word(quantities::bond_of(
                                                       state.bonded, state.failed)));
-  each_state_column([&](const JointField&, auto member) {
+  each_state_column([&](const LawField&, auto member) {
     fmt::format_to(std::back_inserter(text), ",{}", state.*member + 0.0);
   });
   return text;

@@ -79,13 +79,12 @@ VtuGrid contact_grid(const FrameContacts& contacts) {
                     {"ShearForce", 1, numbers(contacts.shear_force)},
                     {"Overlap", 1, numbers(contacts.overlap)}};
   if (!contacts.states.empty())
-    each_joint_field(
-        [&]<class Member>(const JointField& field, Member JointState::*member) {
-          std::vector<ResultsType<Member>> all;
-          for (const JointState& state : contacts.states)
-            all.push_back(state.*member);
-          grid.cell_data.push_back({field.column, 1, std::move(all)});
-        });
+    each_law_field([&]<class Member>(const LawField& field, Member LawState::*member) {
+      std::vector<ResultsType<Member>> all;
+      for (const LawState& state : contacts.states)
+        all.push_back(state.*member);
+      grid.cell_data.push_back({field.column, 1, std::move(all)});
+    });
   return grid;
 }
 

@@ -23,7 +23,7 @@ void ViewBonds::add_frame(const FrameContacts& contacts, const ViewShapes& shape
   std::uint32_t count = 0;
   for (int i = 0; i < contacts.size() && !contacts.states.empty(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const JointState& state = contacts.states[k];
+    const LawState& state = contacts.states[k];
     if (state.law == 0)
       continue;
     const int corner =

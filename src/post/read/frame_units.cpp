@@ -53,12 +53,11 @@ void convert(FrameContacts& contacts, const UnitScale& scale) {
   contacts.overlap *= scale.length;
   contacts.normal_force *= force;
   contacts.shear_force *= force;
-  for (JointState& state : contacts.states)
-    each_joint_field(
-        [&]<class Member>(const JointField& field, Member JointState::*member) {
-          if constexpr (std::is_same_v<Member, double>)
-            state.*member *= factor(field.dimension);
-        });
+  for (LawState& state : contacts.states)
+    each_law_field([&]<class Member>(const LawField& field, Member LawState::*member) {
+      if constexpr (std::is_same_v<Member, double>)
+        state.*member *= factor(field.dimension);
+    });
 }
 
 void convert(std::vector<Crack>& cracks, const UnitScale& scale) {

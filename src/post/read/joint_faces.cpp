@@ -28,7 +28,7 @@ std::vector<FacePart> face_parts(const Frame& frame, const FrameContacts& contac
   std::vector<FacePart> parts;
   for (int i = 0; i < contacts.size() && !contacts.states.empty(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const JointState& state = contacts.states[k];
+    const LawState& state = contacts.states[k];
     if (state.law == 0)
       continue;
     const Outline *own =

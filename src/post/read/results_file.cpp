@@ -287,15 +287,13 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   return rows;
 }
 
-std::vector<JointState> ResultsReader::File::read_states(hsize_t from,
-                                                         hsize_t m) const {
-  std::vector<JointState> all(m);
-  each_joint_field(
-      [&]<class Member>(const JointField& field, Member JointState::*member) {
-        const auto values = states<ResultsType<Member>>(field.column, from, m);
-        for (hsize_t i = 0; i < m; ++i)
-          all[i].*member = static_cast<Member>(values[i]);
-      });
+std::vector<LawState> ResultsReader::File::read_states(hsize_t from, hsize_t m) const {
+  std::vector<LawState> all(m);
+  each_law_field([&]<class Member>(const LawField& field, Member LawState::*member) {
+    const auto values = states<ResultsType<Member>>(field.column, from, m);
+    for (hsize_t i = 0; i < m; ++i)
+      all[i].*member = static_cast<Member>(values[i]);
+  });
   return all;
 }
 

@@ -106,7 +106,7 @@ struct ResultsReader::File {
   void require(long i) const;
   Frame read(hsize_t i) const;
   FrameContacts read_contacts(hsize_t i) const;
-  std::vector<JointState> read_states(hsize_t from, hsize_t m) const;
+  std::vector<LawState> read_states(hsize_t from, hsize_t m) const;
   std::vector<RecordedHistory> read_recorded() const;
   /// Returns the number of cracks up to frame i.
   hsize_t count_cracks(hsize_t i) const;

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "model/joint_state.hpp"
+#include "model/law_state.hpp"
 #include "post/read/results_cracks.hpp"
 #include "post/read/units.hpp"
 
@@ -66,7 +66,7 @@ struct FrameContacts {
   Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward normal of the edge
   Eigen::VectorXd normal_force, shear_force, overlap;  ///< [F], [F], [L]
   /// (m) What the laws of joints remember (docs/laws.md); empty if the file has none.
-  std::vector<JointState> states;
+  std::vector<LawState> states;
   int size() const { return static_cast<int>(corner.size()); }
   /// Returns the forces on the blocks of the corners, n Fn - t Fs (16), [F], (2, m).
   /// The opposite forces act on the other blocks.

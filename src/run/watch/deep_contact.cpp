@@ -37,8 +37,8 @@ class Search {
   int block_of(int corner) const { return blocks_.corner_block[corner]; }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   bool is_held(std::size_t i) const {
-    return i < model_.joint_states.size() &&
-           (model_.joint_states[i].bonded || model_.joint_states[i].offset > 0.0);
+    return i < model_.law_states.size() &&
+           (model_.law_states[i].bonded || model_.law_states[i].offset > 0.0);
   }
   double min_depth(const Contact& contact) const {
     constexpr double part_of_size = 1e-3;

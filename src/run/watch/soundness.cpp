@@ -97,7 +97,7 @@ std::string unsound(const Model& model, const dynamics::StepResult& moved,
     const int edge = contact.edge, block = blocks.corner_block[edge];
     const int other = blocks.corner_block[contact.corner];
     const double pressed =
-        compression(model.settings, model.contacts, model.joint_states, i);
+        compression(model.settings, model.contacts, model.law_states, i);
     const double behind = depth_of_middle(blocks, edge, block);
     const double above =
         0.5 * extent_across(blocks, blocks.corner.col(edge),

@@ -27,7 +27,7 @@ std::string wall_results(const testing::TemporaryFolder& folder, bool with_laws)
   const std::string path = (folder / "wall.vtkhdf").string();
   Model model = scenes::joint_wall(2, 3);
   if (!with_laws)
-    model.joint_states.clear(), model.settings.joint_laws.clear();
+    model.law_states.clear(), model.settings.joint_laws.clear();
   output::ResultsWriter writer(path, {"wall.deck", "START\n", "Wall", "1.0.0", 1982});
   for (int i = 0; i < 2; ++i) {
     model.steps = i, model.time = i;

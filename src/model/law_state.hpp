@@ -8,10 +8,10 @@
 
 namespace blocks {
 
-/// The list. The entries of a state are: member, type in JointState (kernels have
+/// The list. The entries of a state are: member, type in LawState (kernels have
 /// numbers, with 1 or 0 for flags), name in results, dimension, range in checkpoints.
 /// The length is last, because readers take its column as a sign that all exist.
-#define BLOCKS_JOINT_STATES(STATE)                                                     \
+#define BLOCKS_LAW_STATES(STATE)                                                       \
   /* Stiffnesses of the contact. They are frozen while the length does not grow. */    \
   STATE(stiffness, double, "NormalStiffness", stiffness, not_negative)                 \
   STATE(shear_stiffness, double, "ShearStiffness", stiffness, not_negative)            \
@@ -35,12 +35,12 @@ namespace blocks {
 
 /// What the law of a joint remembers of a contact, in addition to its springs. If `law`
 /// is 0, its other values have an effect only after INSITU.
-struct JointState {
+struct LawState {
   int law = 0;  ///< joint id whose law acts; 0: STIFF and FRICTN
 #define BLOCKS_MEMBER(member, type, ...) type member = {};
-  BLOCKS_JOINT_STATES(BLOCKS_MEMBER)
+  BLOCKS_LAW_STATES(BLOCKS_MEMBER)
 #undef BLOCKS_MEMBER
-  bool operator==(const JointState&) const = default;
+  bool operator==(const LawState&) const = default;
 };
 
 /// Calls act(one.member, other.member, ...) for each state. The structs have members of
@@ -48,7 +48,7 @@ struct JointState {
 template <class Act, class... Structs>
 [[gnu::always_inline]] inline void each_state(const Act& act, Structs&&... structs) {
 #define BLOCKS_ACT(member, ...) act(structs.member...);
-  BLOCKS_JOINT_STATES(BLOCKS_ACT)
+  BLOCKS_LAW_STATES(BLOCKS_ACT)
 #undef BLOCKS_ACT
 }
 
@@ -57,8 +57,8 @@ enum class StateDimension { none, length, stiffness };
 /// The values of a state that a checkpoint may have: any finite number, or from 0.
 enum class StateRange { finite, not_negative };
 
-/// The names of a member of JointState in files, and the kind of its values.
-struct JointField {
+/// The names of a member of LawState in files, and the kind of its values.
+struct LawField {
   const char* name;    ///< in checkpoints
   const char* column;  ///< in results
   StateDimension dimension;
@@ -77,18 +77,18 @@ struct JointField {
   }
 };
 
-/// The type of a member of JointState in results: flags and the law are whole numbers.
+/// The type of a member of LawState in results: flags and the law are whole numbers.
 template <class Member>
 using ResultsType = std::conditional_t<std::is_same_v<Member, double>, double, int>;
 
-/// Calls act(field, pointer to member) for the law and each state of JointState.
-template <class Act> void each_joint_field(const Act& act) {
-  act(JointField{"law", "Law", StateDimension::none, StateRange::not_negative},
-      &JointState::law);
+/// Calls act(field, pointer to member) for the law and each state of LawState.
+template <class Act> void each_law_field(const Act& act) {
+  act(LawField{"law", "Law", StateDimension::none, StateRange::not_negative},
+      &LawState::law);
 #define BLOCKS_ACT(member, type, column, dimension, range)                             \
-  act(JointField{#member, column, StateDimension::dimension, StateRange::range},       \
-      &JointState::member);
-  BLOCKS_JOINT_STATES(BLOCKS_ACT)
+  act(LawField{#member, column, StateDimension::dimension, StateRange::range},         \
+      &LawState::member);
+  BLOCKS_LAW_STATES(BLOCKS_ACT)
 #undef BLOCKS_ACT
 }
 
