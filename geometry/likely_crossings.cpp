@@ -39,12 +39,12 @@ double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& l
   const std::size_t n = segments.size();
   if (n < 2)
     return 0.0;
-  const std::size_t asked = std::min(std::max(max_pairs / n, min), n);
+  const std::size_t sample_size = std::min(std::max(max_pairs / n, min), n);
   std::vector<JointSegment> some;
   std::uint64_t state = 1;
-  for (std::size_t i = 0; i < asked; ++i) {
+  for (std::size_t i = 0; i < sample_size; ++i) {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;  // Knuth's MMIX
-    some.push_back(segments[asked == n ? i : (state >> 33) % n]);
+    some.push_back(segments[sample_size == n ? i : (state >> 33) % n]);
   }
   double found = 0.0;
   for (std::size_t i = 0; i < n; ++i)
@@ -53,7 +53,7 @@ double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& l
       found += cross_in_box(one, segments[i], low, high) ? 1.0 : 0.0;
     }
   // Each crossing has two segments.
-  return 0.5 * found * static_cast<double>(n) / static_cast<double>(asked);
+  return 0.5 * found * static_cast<double>(n) / static_cast<double>(sample_size);
 }
 
 }  // namespace blocks::geometry

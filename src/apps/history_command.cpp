@@ -159,7 +159,7 @@ Answer histories(const HistoryOptions& options, const std::optional<Units>& unit
 /// A frame of a profile, and the time asked for.
 struct ProfileFrame {
   post::Frame frame;
-  std::optional<double> asked;
+  std::optional<double> requested;
 };
 
 /// Returns the frames nearest to the given times; the last frame if none are given.
@@ -205,7 +205,7 @@ Answer profiles(const HistoryOptions& options, const std::optional<Units>& units
       table.columns[0].values.push_back(place.position);
       table.columns[1].values.push_back(place.block);
     }
-    for (const auto& [now, asked] : frames_at(run, options.times)) {
+    for (const auto& [now, requested] : frames_at(run, options.times)) {
       const post::Frame before = post::cracked_blocks(run.parts(), now).first;
       for (const post::QuantityKind* kind : kinds) {
         const std::string unit = post::unit_text(kind->dimension, units);
@@ -217,8 +217,8 @@ Answer profiles(const HistoryOptions& options, const std::optional<Units>& units
             {draw::with_unit(kind->label +
                                  post::sign_convention(*kind, now.compression_positive),
                              unit),
-             post::time_text(asked.value_or(now.time), std::nullopt, units),
-             legend_of(post::time_text(now.time, asked, units), names[r]),
+             post::time_text(requested.value_or(now.time), std::nullopt, units),
+             legend_of(post::time_text(now.time, requested, units), names[r]),
              table.columns[0].values, table.columns.back().values});
       }
     }

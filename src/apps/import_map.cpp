@@ -259,8 +259,8 @@ std::optional<std::vector<exchange::Outline>> blocks_of(const std::string& name,
                  "1.E30\nBOXES, 1, 1, 1.\nSTIFF, 1., 1.\nMATERIAL, 1, 1., 1., "
                  "1.\nRIGID\nEND\n" +
                  cards + "STOP\n";
-  options.tell = [](const deck::Diagnostics& said) {
-    for (const deck::Diagnostic& one : said.all())
+  options.tell = [](const deck::Diagnostics& diagnostics) {
+    for (const deck::Diagnostic& one : diagnostics.all())
       if (one.card != "STOP")  // the deck of the user has cards that pass time
         fmt::print(stderr, "blocks: {}: {}: {}\n{}",
                    one.severity == deck::Severity::error ? "error" : "warning",

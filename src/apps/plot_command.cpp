@@ -34,9 +34,10 @@ namespace {
 void print_other_times(const post::ResultsReader& results,
                        const std::vector<long>& frames,
                        const post::FigureOptions& figure) {
-  for (std::size_t i = 0; i < figure.asked_times.size(); ++i) {
+  for (std::size_t i = 0; i < figure.requested_times.size(); ++i) {
     const double time = results.times()[static_cast<std::size_t>(frames[i])];
-    const std::string text = post::time_text(time, figure.asked_times[i], figure.units);
+    const std::string text =
+        post::time_text(time, figure.requested_times[i], figure.units);
     if (text != post::time_text(time, std::nullopt, figure.units))
       fmt::print("{}\n", text);
   }
@@ -343,7 +344,7 @@ int plot(PlotOptions options) {
                  draw::counted(frames.size(), "picture"),
                  static_cast<double>(frames.size()) / rate);
     } else {
-      options.figure.asked_times = options.times;
+      options.figure.requested_times = options.times;
       post::draw_figure(options.output, results, frames, options.figure);
       fmt::print("{}\n", options.output);
       if (options.figure.page.printed)

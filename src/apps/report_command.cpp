@@ -48,9 +48,10 @@ report::Request request_of(const ReportOptions& options) {
   request.pair = options.pair;
   request.mixed = options.mixed;
   request.with_profile = options.profile != "none";
-  const bool asked = !options.profile.empty() || options.profile_quantity != "dy" ||
-                     options.time || options.mirror;
-  if (!request.with_profile || !asked)
+  const bool is_requested = !options.profile.empty() ||
+                            options.profile_quantity != "dy" || options.time ||
+                            options.mirror;
+  if (!request.with_profile || !is_requested)
     return request;
   report::ProfileQuestion question;
   if (!options.profile.empty())

@@ -172,7 +172,7 @@ int why(const WhyOptions& options) {
                               beside, reach));
   WhyReport report = why(rule, std::min(i, j), std::max(i, j));
   report.file = options.file;
-  report.asked = time;
+  report.requested = time;
   fmt::print("{}",
              options.json ? json(report, scene, rule) : text(report, scene, rule));
   return run::done;

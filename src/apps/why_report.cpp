@@ -204,8 +204,8 @@ std::string text(const WhyReport& report, const WhyScene& scene,
   if (scene.times.size() > 1)
     out += fmt::format("frame {} of {}, ", scene.frame + 1, scene.times.size());
   out += fmt::format("time {:.9g} (step {})", scene.time, scene.step);
-  if (report.asked && *report.asked != scene.time)
-    out += fmt::format(", the nearest to {:.9g}", *report.asked);
+  if (report.requested && *report.requested != scene.time)
+    out += fmt::format(", the nearest to {:.9g}", *report.requested);
   out += fmt::format("\n{} and {}: what the next step decides, by the exact rule\n",
                      kind(blocks, report.first), kind(blocks, report.second));
   out += overlap_in_words(report, rule) + '\n';

@@ -12,8 +12,8 @@ namespace blocks::apps {
 
 struct WhyReport {
   std::string file;
-  std::optional<double> asked;  ///< the time given by the user
-  int first = 0, second = 0;    ///< blocks, from 0; first < second
+  std::optional<double> requested;  ///< the time given by the user
+  int first = 0, second = 0;        ///< blocks, from 0; first < second
   audit::PairDecision decision;
   std::optional<geometry::BlockOverlap>
       overlap;  ///< empty if the interiors do not meet

@@ -133,12 +133,12 @@ class Auditor {
       const int a = overlap.first, b = overlap.second;
       if (!blocks_.may_touch(a, b))
         continue;
-      const Held& by = held[{a, b}];
+      const Held& contact_held = held[{a, b}];
       const ExcessOverlap excess{a,
                                  b,
                                  overlap.depth,
-                                 std::max(by.depth, by_third_[{a, b}]),
-                                 by.pressed,
+                                 std::max(contact_held.depth, by_third_[{a, b}]),
+                                 contact_held.pressed,
                                  overlap.area,
                                  overlap.place};
       if (excess.excess() > found_.worst.excess())

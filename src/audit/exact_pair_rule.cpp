@@ -135,9 +135,9 @@ std::vector<Axis> ExactPairRule::axes(int part, int other) const {
 /// part of the sum of its extents.
 bool ExactPairRule::is_within_reach(int part, int other) const {
   using Span = std::pair<double, double>;
-  const auto span = [&](int of, int axis) {
+  const auto span = [&](int number, int axis) {
     Span found(INFINITY, -INFINITY);
-    for (const int corner : parts_[of].corners) {
+    for (const int corner : parts_[number].corners) {
       found.first = std::min(found.first, blocks_.corner(axis, corner));
       found.second = std::max(found.second, blocks_.corner(axis, corner));
     }

@@ -14,8 +14,8 @@ std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double re
         blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
     low.col(b) = corners.rowwise().minCoeff();
     high.col(b) = corners.rowwise().maxCoeff();
-    const double by = geometry::third_reach * (high.col(b) - low.col(b)).sum();
-    low.col(b).array() -= by, high.col(b).array() += by;
+    const double growth = geometry::third_reach * (high.col(b) - low.col(b)).sum();
+    low.col(b).array() -= growth, high.col(b).array() += growth;
   }
   std::vector<int> by_x;
   for (int b = 0; b < n; ++b)

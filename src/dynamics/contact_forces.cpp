@@ -80,9 +80,9 @@ void sum_stresses(Blocks& blocks, Workspace& work) {
     for (int b = begin; b < end; ++b) {
       Eigen::Vector4d sum = Eigen::Vector4d::Zero();
       work.contacts.each_lane_of(b, [&](unsigned lane, bool is_low) {
-        const PairStress& of = work.contacts.batches.stresses[lane];
+        const PairStress& stress = work.contacts.batches.stresses[lane];
         for (int i = 0; i < 4; ++i)
-          sum[i] += is_low ? of.low[i] : of.high[i];
+          sum[i] += is_low ? stress.low[i] : stress.high[i];
       });
       blocks.applied.col(b) = sum;
     }

@@ -26,10 +26,10 @@ class SharedEnd {
       return;
     copy_state(a, b), copy_state(b, a);
     const double part = a.acts && b.acts ? 0.5 : 1.0;
-    for (const auto of : {&SpringRow::normal_elastic, &SpringRow::shear_elastic})
-      spread(of, part);
-    for (const auto of : {&LawRow::stiffness, &LawRow::shear_stiffness})
-      spread(of, part);
+    for (const auto column : {&SpringRow::normal_elastic, &SpringRow::shear_elastic})
+      spread(column, part);
+    for (const auto column : {&LawRow::stiffness, &LawRow::shear_stiffness})
+      spread(column, part);
     for (const Contact& contact : ends_) {
       batches_.set(contact.slot, &ContactStates::acts, contact.acts);
       batches_.set(contact.slot, &ContactStates::starts, false);
@@ -43,11 +43,11 @@ class SharedEnd {
     CornerOnEdge at;
     bool acts, acted;  ///< in this step, in the step before
 
-    Contact(const SharedEnd& of, int number)
-        : slot(number), at(of.arrays_.at(number)),
-          acts(of.batches_.is(number, &ContactStates::acts)),
-          acted(acts ? !of.batches_.is(number, &ContactStates::starts)
-                     : of.batches_.is(number, &ContactStates::ends)) {}
+    Contact(const SharedEnd& end, int number)
+        : slot(number), at(end.arrays_.at(number)),
+          acts(end.batches_.is(number, &ContactStates::acts)),
+          acted(acts ? !end.batches_.is(number, &ContactStates::starts)
+                     : end.batches_.is(number, &ContactStates::ends)) {}
   };
 
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
@@ -111,12 +111,12 @@ class SharedEnd {
       offset(to) += depth(from) - depth(to);
   }
   /// Divides the sum of a number of both contacts among those that act.
-  template <class Row> void spread(PerLane<double> Row::*of, double part) const {
+  template <class Row> void spread(PerLane<double> Row::*column, double part) const {
     const auto& [a, b] = ends_;
-    const double sum = (a.acted ? batches_.at(a.slot, of) : 0.0) +
-                       (b.acted ? batches_.at(b.slot, of) : 0.0);
+    const double sum = (a.acted ? batches_.at(a.slot, column) : 0.0) +
+                       (b.acted ? batches_.at(b.slot, column) : 0.0);
     for (const Contact& contact : ends_)
-      batches_.at(contact.slot, of) = contact.acts ? part * sum : 0.0;
+      batches_.at(contact.slot, column) = contact.acts ? part * sum : 0.0;
   }
 
   const Blocks& blocks_;

@@ -93,11 +93,11 @@ void sum_contacts_of(Blocks& blocks, const ContactArrays& contacts, BlockRange r
         applied = blocks.applied.col(b);
     }
     contacts.each_lane_of(b, [&](unsigned lane, bool low) {
-      const PairForce& of = contacts.batches.forces[lane];
+      const PairForce& force = contacts.batches.forces[lane];
       if (low)
-        x += of.fx, y += of.fy, moment += of.moment_low;
+        x += force.fx, y += force.fy, moment += force.moment_low;
       else
-        x -= of.fx, y -= of.fy, moment += of.moment_high;
+        x -= force.fx, y -= force.fy, moment += force.moment_high;
       if constexpr (!rigid) {
         const PairStress& stress = contacts.batches.stresses[lane];
         applied += Eigen::Map<const Eigen::Vector4d>(low ? stress.low : stress.high);
@@ -119,47 +119,48 @@ void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange rang
 }
 
 void damp_unbalanced(Blocks& blocks, BlockRange range, const Settings& settings,
-                     const StepMotion& step, const Kernels& by) {
+                     const StepMotion& step, const Kernels& chosen) {
   const LocalDamping damping = {.alpha_dt = settings.local_damping * step.dt,
                                 .gravity_x = step.gravity.x(),
                                 .gravity_y = step.gravity.y(),
                                 .work = step.damped};
-  by.damp_unbalanced(columns_of(blocks), damping, settings.rigid, range.begin,
-                     range.end);
+  chosen.damp_unbalanced(columns_of(blocks), damping, settings.rigid, range.begin,
+                         range.end);
 }
 
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
-                       double kick, const Kernels& by) {
-  by.update_velocities(columns_of(blocks), range.begin, range.end, gravity.x(),
-                       gravity.y(), kick);
+                       double kick, const Kernels& chosen) {
+  chosen.update_velocities(columns_of(blocks), range.begin, range.end, gravity.x(),
+                           gravity.y(), kick);
 }
 
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   const StepMotion& step, const double* rates, const Kernels& by) {
+                   const StepMotion& step, const double* rates, const Kernels& chosen) {
   each_part(range, [&](int first, int last) {
     const MaterialsOfBlocks materials(blocks, first, last, settings);
     VibrationDamping damping{nullptr, step.damped};
     if (rates != nullptr)
       damping.rates = rates + std::ptrdiff_t{4} * (first - range.begin);
-    by.update_strain(columns_of(blocks), materials.columns(), damping, first, last,
-                     step.kick, step.dt);
+    chosen.update_strain(columns_of(blocks), materials.columns(), damping, first, last,
+                         step.kick, step.dt);
   });
 }
 
 bool damps_vibration(const Settings& settings) {
-  return std::any_of(settings.materials.begin(), settings.materials.end(),
-                     [](const auto& of) { return of.second.damping > 0.0; });
+  return std::any_of(
+      settings.materials.begin(), settings.materials.end(),
+      [](const auto& material) { return material.second.damping > 0.0; });
 }
 
 Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds,
-                          const Settings& settings, double dt, const Kernels& by) {
+                          const Settings& settings, double dt, const Kernels& chosen) {
   const BlockColumns columns = columns_of(blocks);
   const Rectangle domain = {settings.lower.x(), settings.lower.y(), settings.upper.x(),
                             settings.upper.y()};
   Displacement result;
   each_part(range, [&](int first, int last) {
-    const Moved moved = by.move(columns, bounds.longest.data(), bounds.path.data(),
-                                domain, settings.rigid, first, last, dt);
+    const Moved moved = chosen.move(columns, bounds.longest.data(), bounds.path.data(),
+                                    domain, settings.rigid, first, last, dt);
     Displacement part{.largest = moved.largest,
                       .block = moved.block,
                       .bound = moved.bound,

@@ -68,12 +68,12 @@ void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange rang
 /// (docs/rest.md#local-damping). Reads force, moment, applied stress and gravity;
 /// changes velocities, spins and strain rates. Call it before update_velocities.
 void damp_unbalanced(Blocks& blocks, BlockRange range, const Settings& settings,
-                     const StepMotion& step, const Kernels& by = kernels());
+                     const StepMotion& step, const Kernels& chosen = kernels());
 
 /// (1), (2): updates velocities and spins of free blocks from force, moment and
 /// gravity. kick: StepMotion::kick.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
-                       double kick, const Kernels& by = kernels());
+                       double kick, const Kernels& chosen = kernels());
 
 /// (10): updates the strain rates of free blocks. They are driven by the symmetric part
 /// of applied minus internal stress, divided by the effective mass l_j^2 M / (4 A).
@@ -84,7 +84,7 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
 /// (docs/cracks.md#damping-of-vibration).
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
                    const StepMotion& step, const double* rates,
-                   const Kernels& by = kernels());
+                   const Kernels& chosen = kernels());
 
 /// Returns whether the vibration of blocks of some material is damped (MDAMP).
 bool damps_vibration(const Settings& settings);
@@ -95,6 +95,6 @@ bool damps_vibration(const Settings& settings);
 /// bounds.longest, advances bounds.path.
 Displacement move_corners(Blocks& blocks, BlockRange range, MotionBounds& bounds,
                           const Settings& settings, double dt,
-                          const Kernels& by = kernels());
+                          const Kernels& chosen = kernels());
 
 }  // namespace blocks::dynamics

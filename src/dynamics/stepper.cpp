@@ -162,11 +162,11 @@ void Stepper::bring_out_time() {
   model_.energy = inside_.energy;
   model_.last_kinetic_energy = inside_.last_kinetic_energy;
   // All new exits have the same time, so they are sorted by block.
-  const auto told = static_cast<std::ptrdiff_t>(model_.exits.size());
+  const auto reported = static_cast<std::ptrdiff_t>(model_.exits.size());
   for (const DomainExit& exit : inside_.exits)
     model_.exits.push_back({outwards_.blocks().new_of[exit.block], exit.time});
   inside_.exits.clear();
-  std::sort(model_.exits.begin() + told, model_.exits.end(),
+  std::sort(model_.exits.begin() + reported, model_.exits.end(),
             [](const DomainExit& l, const DomainExit& r) { return l.block < r.block; });
 }
 

@@ -109,7 +109,7 @@ void add_lengths(Table& table) {
 /// Adds family k, or the scattered traces, k = -1.
 void add_family(Table& table, int k) {
   using Map = MapStatistics;
-  const auto of = [k](const Map& m) -> const FamilyStatistics* {
+  const auto family_of = [k](const Map& m) -> const FamilyStatistics* {
     if (k < 0)
       return !m.families.empty() && m.families.back().scattered ? &m.families.back()
                                                                 : nullptr;
@@ -118,7 +118,7 @@ void add_family(Table& table, int k) {
   };
   const auto row = [&](const std::string& label, const auto& value) {
     table.row(label, [&](const Map& m) -> std::string {
-      const FamilyStatistics* one = of(m);
+      const FamilyStatistics* one = family_of(m);
       return one == nullptr ? "-" : value(*one);
     });
   };
@@ -149,16 +149,19 @@ void add_family(Table& table, int k) {
 
 void add_scanline(
     Table& table, const std::string& heading,
-    const std::function<const SpacingStatistics&(const MapStatistics&)>& of) {
+    const std::function<const SpacingStatistics&(const MapStatistics&)>& spacing_of) {
   table.heading(heading);
-  table.row("length [L]", [&](const MapStatistics& m) { return of(m).length; });
-  table.row("crossings", [&](const MapStatistics& m) { return of(m).crossings; });
-  table.row("mean spacing [L]", [&](const MapStatistics& m) { return of(m).mean; });
+  table.row("length [L]", [&](const MapStatistics& m) { return spacing_of(m).length; });
+  table.row("crossings",
+            [&](const MapStatistics& m) { return spacing_of(m).crossings; });
+  table.row("mean spacing [L]",
+            [&](const MapStatistics& m) { return spacing_of(m).mean; });
   table.row("variation of spacing [-]",
-            [&](const MapStatistics& m) { return of(m).variation; });
-  table.row("P10 [1/L]", [&](const MapStatistics& m) { return of(m).frequency; });
+            [&](const MapStatistics& m) { return spacing_of(m).variation; });
+  table.row("P10 [1/L]",
+            [&](const MapStatistics& m) { return spacing_of(m).frequency; });
   table.row("corrected (Terzaghi) [1/L]",
-            [&](const MapStatistics& m) { return of(m).corrected; });
+            [&](const MapStatistics& m) { return spacing_of(m).corrected; });
 }
 
 }  // namespace

@@ -40,10 +40,10 @@ Simulation Simulation::from_file(const std::string& path, int threads,
 
 void Simulation::cards(const std::string& text) {
   state_->must_be_sound();
-  deck::Diagnostics said("cards", text);
-  deck::Deck further = deck::parse_further("cards", text, said);
-  run::read_outline_files(further, state_->folder, said);
-  state_->execute(further, said);
+  deck::Diagnostics diagnostics("cards", text);
+  deck::Deck further = deck::parse_further("cards", text, diagnostics);
+  run::read_outline_files(further, state_->folder, diagnostics);
+  state_->execute(further, diagnostics);
 }
 
 const std::vector<std::string>& Simulation::warnings() const {

@@ -39,17 +39,17 @@ deck::Command one_step(const std::vector<deck::Command>& cards) {
   return {last.where, last.name, deck::Cycle{{1, last.where}}};
 }
 
-void stop_at_errors(const deck::Diagnostics& said) {
-  if (said.has_errors())
-    throw DeckError(said.format_all(), library::messages_of(said));
+void stop_at_errors(const deck::Diagnostics& diagnostics) {
+  if (diagnostics.has_errors())
+    throw DeckError(diagnostics.format_all(), library::messages_of(diagnostics));
 }
 
 void apply(run::Builder& builder, const deck::Command& command,
-           deck::Diagnostics& said) {
+           deck::Diagnostics& diagnostics) {
   builder.apply(command);
   if (std::holds_alternative<deck::Save>(command.card))
-    said.warning(command.where, command.name, "has no effect in a program",
-                 "write_checkpoint() writes a checkpoint");
+    diagnostics.warning(command.where, command.name, "has no effect in a program",
+                        "write_checkpoint() writes a checkpoint");
 }
 
 bool has_more_blocks(const Model& model, int before) {
@@ -74,31 +74,32 @@ Simulation::State::State(std::string deck_name, std::string deck_folder,
   if (const std::string fault = geometry::check_numeric_environment(); !fault.empty())
     throw std::runtime_error(fault);
   dynamics::kernels();
-  deck::Diagnostics said(name, text);
-  deck::Deck parsed = deck::parse(name, text, said);
-  run::read_outline_files(parsed, folder, said);
+  deck::Diagnostics diagnostics(name, text);
+  deck::Deck parsed = deck::parse(name, text, diagnostics);
+  run::read_outline_files(parsed, folder, diagnostics);
   if (motions == Motions::left_out)
     parsed.commands.erase(
         std::find_if(parsed.commands.begin(), parsed.commands.end(), deck::passes_time),
         parsed.commands.end());
-  execute(parsed, said);
+  execute(parsed, diagnostics);
 }
 
-void Simulation::State::keep_warnings(const deck::Diagnostics& said) {
-  for (const deck::Diagnostic& diagnostic : said.all()) {
-    std::string line = said.format(diagnostic);
+void Simulation::State::keep_warnings(const deck::Diagnostics& diagnostics) {
+  for (const deck::Diagnostic& diagnostic : diagnostics.all()) {
+    std::string line = diagnostics.format(diagnostic);
     if (diagnostic.severity == deck::Severity::warning &&
         std::find(warnings.begin(), warnings.end(), line) == warnings.end())
       warnings.push_back(std::move(line));
   }
 }
 
-void Simulation::State::execute(const deck::Deck& deck, deck::Diagnostics& said) {
+void Simulation::State::execute(const deck::Deck& deck,
+                                deck::Diagnostics& diagnostics) {
   ++changes;
   // The cards first act on a copy in which no time passes. All errors are thus found
   // before the model changes.
   Model trial = current();
-  std::optional<Beginning> beginning = check(trial, deck, said);
+  std::optional<Beginning> beginning = check(trial, deck, diagnostics);
   const bool adds_blocks = trial.blocks.size() != model.blocks.size() ||
                            trial.blocks.corners() != model.blocks.corners();
   if (adds_blocks && hooks.before_new_blocks)
@@ -106,7 +107,7 @@ void Simulation::State::execute(const deck::Deck& deck, deck::Diagnostics& said)
   take(beginning ? std::move(beginning->model) : std::move(trial));
   if (beginning) {
     trial = {};
-    play(deck, *std::move(beginning), {said.file(), deck.text});
+    play(deck, *std::move(beginning), {diagnostics.file(), deck.text});
   }
   if (model.blocks.count_present() > 0)
     prepare(model);
@@ -126,18 +127,18 @@ void Simulation::State::take(Model&& other) {
 void Simulation::State::prepare(Model& on) {
   dynamics::prepare(on);
   stepper.changed();
-  for (std::string& told : watch_.after(on, {}))
-    warnings.push_back(std::move(told));
+  for (std::string& warning : watch_.after(on, {}))
+    warnings.push_back(std::move(warning));
 }
 
 /// Loads the checkpoint of a RESTART card into a model.
 void Simulation::State::load(Model& into, const deck::Command& command,
-                             deck::Diagnostics& said) {
+                             deck::Diagnostics& diagnostics) {
   const auto& card = std::get<deck::Restart>(command.card);
   if (!card.file.given) {
-    said.error(command.where, "RESTART", "the name of the checkpoint is missing",
-               "write RESTART, file");
-    stop_at_errors(said);
+    diagnostics.error(command.where, "RESTART", "the name of the checkpoint is missing",
+                      "write RESTART, file");
+    stop_at_errors(diagnostics);
   }
   output::CheckpointInfo from;
   into =
@@ -151,12 +152,12 @@ void Simulation::State::load(Model& into, const deck::Command& command,
 
 std::optional<Simulation::State::Beginning>
 Simulation::State::check(Model& trial, const deck::Deck& deck,
-                         deck::Diagnostics& said) {
+                         deck::Diagnostics& diagnostics) {
   const std::vector<deck::Command>& cards = deck.commands;
   if (!cards.empty() && std::holds_alternative<deck::Restart>(cards.front().card))
-    load(trial, cards.front(), said);
+    load(trial, cards.front(), diagnostics);
   const int judged = trial.blocks.size();
-  run::Builder builder(trial, said, cards,
+  run::Builder builder(trial, diagnostics, cards,
                        {.seed = {},
                         .tape9 = "tape9",
                         .folder = folder,
@@ -164,39 +165,39 @@ Simulation::State::check(Model& trial, const deck::Deck& deck,
                         .overlaps = overlaps});
   std::optional<Beginning> beginning;
   for (std::size_t i = 0; i < cards.size(); ++i) {
-    apply(builder, cards[i], said);
+    apply(builder, cards[i], diagnostics);
     if (!deck::passes_time(cards[i]))
       continue;
-    if (!said.has_errors())
+    if (!diagnostics.has_errors())
       builder.check_before_motion(cards[i], !beginning);
-    if (!beginning && !said.has_errors())
+    if (!beginning && !diagnostics.has_errors())
       beginning = Beginning{i, trial, builder, judged};
   }
-  if (!beginning && !said.has_errors() && has_more_blocks(trial, judged))
+  if (!beginning && !diagnostics.has_errors() && has_more_blocks(trial, judged))
     builder.check_before_motion(one_step(cards), true);
-  end_cards(builder, said);
+  end_cards(builder, diagnostics);
   return beginning;
 }
 
 /// Goes on with the first card with which time passes.
 void Simulation::State::play(const deck::Deck& deck, Beginning beginning,
-                             deck::Diagnostics said) {
-  run::Builder builder(model, said, std::move(beginning.builder));
+                             deck::Diagnostics diagnostics) {
+  run::Builder builder(model, diagnostics, std::move(beginning.builder));
   builder.begin_to_move();
   for (std::size_t i = beginning.card; i < deck.commands.size(); ++i) {
     const deck::Command& command = deck.commands[i];
     if (i > beginning.card) {
-      apply(builder, command, said);
+      apply(builder, command, diagnostics);
       if (!deck::passes_time(command))
         continue;
       builder.check_before_motion(command, true);
-      stop_at_errors(said);
+      stop_at_errors(diagnostics);
     }
     make_steps(command);
   }
-  if (!said.has_errors() && has_more_blocks(model, beginning.judged))
+  if (!diagnostics.has_errors() && has_more_blocks(model, beginning.judged))
     builder.check_before_motion(one_step(deck.commands), true);
-  end_cards(builder, said);
+  end_cards(builder, diagnostics);
 }
 
 /// Makes the steps of a card with which time passes.
@@ -215,21 +216,21 @@ void Simulation::State::make_steps(const deck::Command& command) {
 
 /// Throws DeckError if there were errors. Otherwise keeps what the cards have told.
 void Simulation::State::end_cards(const run::Builder& builder,
-                                  const deck::Diagnostics& said) {
-  stop_at_errors(said);
+                                  const deck::Diagnostics& diagnostics) {
+  stop_at_errors(diagnostics);
   if (const auto& certificate = builder.certificate())
     overlaps = certificate->overlaps;
-  keep_warnings(said);
+  keep_warnings(diagnostics);
 }
 void Simulation::State::advance(bool reads) {
   contacts_known = reads;
   const dynamics::StepResult moved =
       stepper.advance(reads, model.settings.normal_stiffness * half_depth_);
-  for (std::string& told : watch_.after(model, moved))
-    warnings.push_back(std::move(told));
+  for (std::string& warning : watch_.after(model, moved))
+    warnings.push_back(std::move(warning));
   if (watch_.is_look_due(model))
-    for (std::string& told : watch_.look(stepper.up_to_date()))
-      warnings.push_back(std::move(told));
+    for (std::string& warning : watch_.look(stepper.up_to_date()))
+      warnings.push_back(std::move(warning));
   if (run::may_be_unsound(model.settings, moved, half_depth_)) {
     unsound = run::unsound(stepper.up_to_date(), moved, half_depth_);
     if (!unsound.empty())
@@ -238,8 +239,8 @@ void Simulation::State::advance(bool reads) {
   if (dynamics::may_crack(model.settings)) {
     if (stepper.crack() > 0)
       half_depth_ = run::half_depth(model.blocks);
-    for (std::string& told : crack_watch_.after(model).warnings)
-      warnings.push_back(std::move(told));
+    for (std::string& warning : crack_watch_.after(model).warnings)
+      warnings.push_back(std::move(warning));
   }
   if (hooks.after_step)
     hooks.after_step();

@@ -38,7 +38,7 @@ struct Simulation::State {
         Motions motions, library::Hooks given_hooks = {});
 
   /// Executes all cards. Throws DeckError with all their errors.
-  void execute(const deck::Deck& deck, deck::Diagnostics& said);
+  void execute(const deck::Deck& deck, deck::Diagnostics& diagnostics);
   void step(long count, bool read);
   /// Makes the steps of a SOLVE card, as a run does.
   void solve(const deck::Solve& card, int line);
@@ -86,7 +86,7 @@ struct Simulation::State {
   void prepare(Model& on);
   /// Makes one step. Throws UnsoundRun if it was unsound.
   void advance(bool reads);
-  void keep_warnings(const deck::Diagnostics& said);
+  void keep_warnings(const deck::Diagnostics& diagnostics);
   /// What the cards before the first motion have made.
   struct Beginning {
     std::size_t card;  ///< index of the first card with which time passes
@@ -97,14 +97,14 @@ struct Simulation::State {
   /// Executes all cards on a copy of the model, so that no time passes. Returns nothing
   /// if they have no motion. Throws DeckError if there were errors.
   std::optional<Beginning> check(Model& trial, const deck::Deck& deck,
-                                 deck::Diagnostics& said);
+                                 deck::Diagnostics& diagnostics);
   /// Goes on with the cards from the first motion on. Throws DeckError.
-  void play(const deck::Deck& deck, Beginning beginning, deck::Diagnostics said);
+  void play(const deck::Deck& deck, Beginning beginning, deck::Diagnostics diagnostics);
   /// Replaces the model.
   void take(Model&& other);
-  void load(Model& into, const deck::Command& command, deck::Diagnostics& said);
+  void load(Model& into, const deck::Command& command, deck::Diagnostics& diagnostics);
   void make_steps(const deck::Command& command);
-  void end_cards(const run::Builder& builder, const deck::Diagnostics& said);
+  void end_cards(const run::Builder& builder, const deck::Diagnostics& diagnostics);
 };
 
 }  // namespace blocks

@@ -27,8 +27,8 @@ PieceMap::PieceMap(const Blocks& blocks, const std::vector<BlockSplit>& splits)
 }
 
 const BlockSplit* PieceMap::split(int block) const {
-  const int of = split_of_[static_cast<std::size_t>(block)];
-  return of < 0 ? nullptr : &splits_[static_cast<std::size_t>(of)];
+  const int split = split_of_[static_cast<std::size_t>(block)];
+  return split < 0 ? nullptr : &splits_[static_cast<std::size_t>(split)];
 }
 
 const Piece* PieceMap::piece(int block) const {

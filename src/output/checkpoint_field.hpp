@@ -60,7 +60,7 @@ struct Field {
   constexpr Field(const char* its_name) : name(its_name) {}
   constexpr Field(const char* its_name, const Range& its_range, Rows its_rows = {})
       : name(its_name), range(its_range), rows(its_rows) {}
-  constexpr Field(const char* its_name, IndexOf of) : name(its_name), index(of) {}
+  constexpr Field(const char* its_name, IndexOf kind) : name(its_name), index(kind) {}
   constexpr Field(const char* its_name, Rows its_rows)
       : name(its_name), rows(its_rows) {}
 };

@@ -101,8 +101,8 @@ class ExpectingArchive {
     reject_checkpoint(fmt::format("{} is {}, expected {}", what, number, range.words));
   }
 
-  long count(IndexOf of) const {
-    switch (of) {
+  long count(IndexOf kind) const {
+    switch (kind) {
     case IndexOf::block:
     case IndexOf::block_or_none:
       return model_.blocks.size();
@@ -117,9 +117,9 @@ class ExpectingArchive {
     }
     return 0;
   }
-  bool refers(IndexOf of, double index) const {
-    return index >= (of == IndexOf::block_or_none ? -1.0 : 0.0) &&
-           index < static_cast<double>(count(of));
+  bool refers(IndexOf kind, double index) const {
+    return index >= (kind == IndexOf::block_or_none ? -1.0 : 0.0) &&
+           index < static_cast<double>(count(kind));
   }
   void expect_rows(const Field& field, long rows) const {
     const long expected =

@@ -16,7 +16,7 @@ using library::ModelAccess;
 /// callbacks, also for steps.
 class DrivenModel::Use {
  public:
-  explicit Use(DrivenModel& of) : self_(of), before_(of.user_) {
+  explicit Use(DrivenModel& model) : self_(model), before_(model.user_) {
     self_.simulation();
     self_.user_ = std::this_thread::get_id();
   }
@@ -32,7 +32,7 @@ class DrivenModel::Use {
 /// While it exists, the lock of Python is released and nothing may use the model.
 class DrivenModel::AtWork {
  public:
-  explicit AtWork(DrivenModel& of) : self_(of) {
+  explicit AtWork(DrivenModel& model) : self_(model) {
     self_.at_work_ = true;
     released_.emplace();
   }
@@ -109,17 +109,17 @@ void DrivenModel::step(long count, std::optional<bool> read, long every,
   if (count == 0)
     simulation_->step(0);
   const bool calls = every > 0 && !callback.is_none();
-  asked_ = asked_ || calls;  // by the first call, perhaps
+  wants_contacts_ = wants_contacts_ || calls;  // by the first call, perhaps
   for (long left = count; left > 0;) {
     const long part = calls ? std::min(left, every) : left;
-    const bool reads = read.value_or(asked_ || part >= steps_worth_reading);
-    asked_ = false;
+    const bool reads = read.value_or(wants_contacts_ || part >= steps_worth_reading);
+    wants_contacts_ = false;
     advance(part, reads);
     left -= part;
     if (!calls || part < every)
       continue;
-    const py::object said = callback();
-    const int stops = PyObject_IsTrue(said.ptr());
+    const py::object answer = callback();
+    const int stops = PyObject_IsTrue(answer.ptr());
     if (stops < 0)
       throw py::error_already_set();
     take_changes();
@@ -207,7 +207,7 @@ void DrivenModel::take_changes() {
 }
 
 std::vector<ContactForce> DrivenModel::contacts() {
-  asked_ = true;
+  wants_contacts_ = true;
   if (!simulation().is_read())
     raise("NotReadError",
           "the contacts of step " + std::to_string(simulation().steps()) +

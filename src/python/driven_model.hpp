@@ -71,7 +71,7 @@ class DrivenModel {
   VelocityWatch watch_;
   std::thread::id user_;  ///< the thread in step() or cards(); none: the default value
   bool at_work_ = false;  ///< the lock of Python is released
-  bool asked_ = false;    ///< contacts were asked for since the last steps
+  bool wants_contacts_ = false;  ///< contacts were asked for since the last steps
   std::optional<Simulation> simulation_;
 };
 

@@ -13,7 +13,7 @@
 namespace blocks::quantities {
 namespace {
 
-using Of = Curve::Of;
+using Subject = Curve::Subject;
 using Ranges = std::vector<std::pair<int, int>>;
 
 /// The quantities of a corner: position, displacement and velocity.
@@ -35,7 +35,7 @@ int whole_number(const std::string& digits) {
 
 /// Reads ranges such as "6-9/12". Returns false if they do not ascend.
 bool read_ranges(const std::string& where, Curve& curve) {
-  curve.of = Of::blocks;
+  curve.subject = Subject::blocks;
   for (std::size_t begin = 0; begin <= where.size();) {
     const std::size_t end = std::min(where.find('/', begin), where.size());
     const std::string range = where.substr(begin, end - begin);
@@ -59,13 +59,13 @@ bool read_ranges(const std::string& where, Curve& curve) {
 bool read_place(const std::string& where, Curve& curve) {
   const std::string material = "material=";
   if (where.starts_with(material)) {
-    curve.of = Of::blocks;
+    curve.subject = Subject::blocks;
     curve.material = where.substr(material.size());
     return !curve.material.empty();
   }
   const std::string joint = "joint=";
   if (where.starts_with(joint)) {
-    curve.of = Of::joint;
+    curve.subject = Subject::joint;
     curve.joint = whole_number(where.substr(joint.size()));
     return curve.joint > 0;
   }
@@ -73,24 +73,24 @@ bool read_place(const std::string& where, Curve& curve) {
     return read_ranges(where, curve);
   const auto mark = where.find_first_of(".-+");
   curve.first = curve.last = whole_number(where.substr(0, mark));
-  curve.of = Of::block;
+  curve.subject = Subject::block;
   if (mark == std::string::npos)
     return curve.first > 0;
   const int second = whole_number(where.substr(mark + 1));
   if (where[mark] == '.')
-    curve.of = Of::corner, curve.corner = second;
+    curve.subject = Subject::corner, curve.corner = second;
   else if (where[mark] == '+')
-    curve.of = Of::pair, curve.last = std::max(curve.first, second),
+    curve.subject = Subject::pair, curve.last = std::max(curve.first, second),
     curve.first = std::min(curve.first, second);
   else
-    curve.of = Of::blocks, curve.last = second;
+    curve.subject = Subject::blocks, curve.last = second;
   return curve.first > 0 && second > 0;
 }
 
 /// Reads what is after the first colon: a place, a statistic, or both.
 void read_where(const std::string& text, const std::string& where, Curve& curve) {
   if (Statistic::parse(where, curve.statistic)) {
-    curve.of = Of::blocks;
+    curve.subject = Subject::blocks;
     return;
   }
   std::string place = where;
@@ -106,7 +106,7 @@ void read_where(const std::string& text, const std::string& where, Curve& curve)
     throw CurveFault(
         fmt::format("'{}' begins with the higher number", text),
         fmt::format("write {}:{}-{}", curve.quantity, curve.last, curve.first));
-  if (reduced && curve.of != Of::blocks && !curve.of_contacts())
+  if (reduced && curve.subject != Subject::blocks && !curve.of_contacts())
     throw CurveFault(
         fmt::format("'{}': {} is for several blocks", text, curve.statistic.name()),
         places);
@@ -165,21 +165,22 @@ std::string place_of_blocks(const std::vector<int>& blocks) {
 }
 
 std::string Curve::name() const {
-  switch (of) {
-  case Of::model:
+  switch (subject) {
+  case Subject::model:
     return quantity;
-  case Of::block:
+  case Subject::block:
     return fmt::format("{}:{}", quantity, first);
-  case Of::corner:
+  case Subject::corner:
     return fmt::format("{}:{}.{}", quantity, first, corner);
-  case Of::joint:
-  case Of::pair: {
-    const std::string where = of == Of::pair ? fmt::format("{}+{}", first, last)
-                                             : fmt::format("joint={}", joint);
+  case Subject::joint:
+  case Subject::pair: {
+    const std::string where = subject == Subject::pair
+                                  ? fmt::format("{}+{}", first, last)
+                                  : fmt::format("joint={}", joint);
     return fmt::format("{}:{}{}", quantity, where,
                        has_statistic ? ":" + statistic.name() : "");
   }
-  case Of::blocks:
+  case Subject::blocks:
     break;
   }
   if (all_blocks())
@@ -278,11 +279,12 @@ Curve parse_curve(const std::string& text) {
                                  "statistic",
                                  name),
                      joint_places(name));
-  if (curve.of == Of::pair && curve.first == curve.last)
+  if (curve.subject == Subject::pair && curve.first == curve.last)
     throw CurveFault(fmt::format("'{}' has the same block twice", text),
                      "a contact has two blocks");
-  if (curve.of == Of::corner && std::find(corner_names.begin(), corner_names.end(),
-                                          curve.quantity) == corner_names.end())
+  if (curve.subject == Subject::corner &&
+      std::find(corner_names.begin(), corner_names.end(), curve.quantity) ==
+          corner_names.end())
     throw CurveFault(
         fmt::format("a corner has no {}", name),
         fmt::format("quantities of a corner: {}", fmt::join(corner_names, ", ")));

@@ -26,9 +26,9 @@ struct CurveFault : std::runtime_error {
 /// a material. The contacts of a joint with a law or those between two blocks have a
 /// value too: "shear_force:joint=1", "slip:2+3".
 struct Curve {
-  enum class Of { model, block, corner, blocks, joint, pair };
+  enum class Subject { model, block, corner, blocks, joint, pair };
   std::string quantity;  ///< a name of quantity.hpp or model_quantity.hpp
-  Of of = Of::model;
+  Subject subject = Subject::model;
   /// Numbers of the blocks, from 1; 0, 0: all. Of a pair: its two blocks, the lower
   /// number first.
   int first = 0, last = 0;
@@ -45,8 +45,12 @@ struct Curve {
   std::string numbers() const;
   /// Whether the ranges, if there are several, contain a number.
   bool has_block(int number) const;
-  bool of_contacts() const { return of == Of::joint || of == Of::pair; }
-  bool all_blocks() const { return of == Of::blocks && first == 0 && material.empty(); }
+  bool of_contacts() const {
+    return subject == Subject::joint || subject == Subject::pair;
+  }
+  bool all_blocks() const {
+    return subject == Subject::blocks && first == 0 && material.empty();
+  }
   /// As the user writes it, in one form: curves with the same name are the same.
   std::string name() const;
 };

@@ -7,7 +7,7 @@
 namespace blocks::quantities {
 namespace {
 
-using Of = Curve::Of;
+using Subject = Curve::Subject;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool is_displacement(const std::string& name) {
@@ -98,12 +98,12 @@ void CurveValues::evaluate(const State& now, const Positions& first,
 double CurveValues::of_contacts(const Reader& reader, const State& now) {
   const OtherKind& kind = *reader.other;
   const Curve& curve = reader.curve;
-  if (curve.of == Of::model || curve.all_blocks()) {
+  if (curve.subject == Subject::model || curve.all_blocks()) {
     scratch_.clear();
     for (const ContactState& contact : now.contacts)
       scratch_.push_back(kind.contact(contact));
     const Statistic statistic =
-        curve.of == Of::model ? Statistic{kind.natural} : curve.statistic;
+        curve.subject == Subject::model ? Statistic{kind.natural} : curve.statistic;
     return scratch_.empty() ? 0.0 : reduce(statistic, scratch_);
   }
   of_blocks_.resize(static_cast<std::size_t>(now.blocks.size()));
@@ -120,7 +120,7 @@ double CurveValues::of_joint(const Reader& reader, const State& now) {
   scratch_.clear();
   for (const ContactState& contact : now.contacts) {
     const auto [low, high] = std::minmax(contact.corner_block, contact.edge_block);
-    const bool counts = curve.of == Of::joint
+    const bool counts = curve.subject == Subject::joint
                             ? contact.state.law == curve.joint
                             : low == curve.first && high == curve.last;
     if (!counts)
@@ -148,7 +148,7 @@ double CurveValues::value(const Reader& reader, const State& now,
     if (curve.of_contacts())
       return of_joint(reader, now);
     const double whole = of_contacts(reader, now);
-    if (curve.of == Of::model || curve.all_blocks())
+    if (curve.subject == Subject::model || curve.all_blocks())
       return whole;
   }
   const auto of_block = [&](int b) {
@@ -156,11 +156,11 @@ double CurveValues::value(const Reader& reader, const State& now,
                         : reader.kind->value(now.blocks, first, b);
   };
   const int blocks = now.blocks.size();
-  if (curve.of == Of::block || curve.of == Of::corner) {
+  if (curve.subject == Subject::block || curve.subject == Subject::corner) {
     const int b = curve.first - 1;
     if (b >= blocks || now.blocks.is_removed(b))
       return none;
-    return curve.of == Of::block
+    return curve.subject == Subject::block
                ? of_block(b)
                : of_corner(curve.quantity, b, curve.corner - 1, now.blocks, first);
   }
@@ -177,7 +177,7 @@ double CurveValues::value(const Reader& reader, const State& now,
     if (!(is_displacement(curve.quantity) && std::isnan(value)))
       scratch_.push_back(value);
   }
-  if (curve.of == Of::model)
+  if (curve.subject == Subject::model)
     return scratch_.empty() ? 0.0 : reduce({Statistic::How::sum}, scratch_);
   return scratch_.empty() ? none : reduce(curve.statistic, scratch_);
 }

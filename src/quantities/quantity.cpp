@@ -45,9 +45,11 @@ double about_origin(const BlockStates& now, int b) {
 
 using Value = std::function<double(const BlockStates&, const Positions&, int)>;
 
-/// A quantity that does not depend on the first frame: of(now, b).
-template <class Of> Value of_now(Of of) {
-  return [of](const BlockStates& now, const Positions&, int b) { return of(now, b); };
+/// A quantity that does not depend on the first frame: quantity(now, b).
+template <class Quantity> Value of_now(Quantity quantity) {
+  return [quantity](const BlockStates& now, const Positions&, int b) {
+    return quantity(now, b);
+  };
 }
 
 }  // namespace

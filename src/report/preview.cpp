@@ -24,8 +24,8 @@ constexpr std::size_t max_tried = 10;
 
 class Scout {
  public:
-  Scout(const std::vector<Member>& members, const std::optional<Units>& asked)
-      : members_(members), asked_(asked) {}
+  Scout(const std::vector<Member>& members, const std::optional<Units>& requested)
+      : members_(members), requested_(requested) {}
 
   /// Finds a run that has measures, and one that has results. If no run that is done
   /// has results, takes those of another run that ended.
@@ -109,8 +109,8 @@ class Scout {
     if (!first_known_) {
       first_known_ = member;
       found_.title = title;
-      found_.units = asked_ ? asked_ : units;
-    } else if (!asked_ &&
+      found_.units = requested_ ? requested_ : units;
+    } else if (!requested_ &&
                found_.own_units[*first_known_].has_value() != units.has_value()) {
       throw std::runtime_error(
           fmt::format("only one of the decks of {} and {} names its units (UNITS "
@@ -121,7 +121,7 @@ class Scout {
   }
 
   const std::vector<Member>& members_;
-  const std::optional<Units>& asked_;
+  const std::optional<Units>& requested_;
   Preview found_;
   std::optional<std::size_t> first_known_;  ///< sweep with known title and units
 };
@@ -129,8 +129,8 @@ class Scout {
 }  // namespace
 
 Preview look_ahead(const std::vector<Member>& members,
-                   const std::optional<Units>& asked) {
-  return Scout(members, asked).look_ahead();
+                   const std::optional<Units>& requested) {
+  return Scout(members, requested).look_ahead();
 }
 
 }  // namespace blocks::report

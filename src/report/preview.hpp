@@ -21,10 +21,10 @@ struct Preview {
   std::string first_results;
 };
 
-/// Finds these by the first runs that have them. `asked`: the units that the user
+/// Finds these by the first runs that have them. `requested`: the units that the user
 /// names, otherwise those of the first deck. Throws std::runtime_error, with a hint, if
 /// only some of the decks name their units.
 Preview look_ahead(const std::vector<Member>& members,
-                   const std::optional<Units>& asked);
+                   const std::optional<Units>& requested);
 
 }  // namespace blocks::report

@@ -144,20 +144,20 @@ class Collector {
   void set_profile() {
     if (!request_.with_profile)
       return;
-    const bool asked = request_.profile.has_value();
+    const bool is_requested = request_.profile.has_value();
     const ProfileQuestion question = request_.profile.value_or(ProfileQuestion{});
     post::ResultsReader results(preview_.first_results);
     if (all_.units)
       results.show_in(*all_.units);
     const post::Frame first = results.frame(0);
-    if (!asked && std::none_of(first.fixed.begin(), first.fixed.end(),
-                               [](int fixed) { return fixed == 0; }))
+    if (!is_requested && std::none_of(first.fixed.begin(), first.fixed.end(),
+                                      [](int fixed) { return fixed == 0; }))
       return;
     std::vector<post::ProfilePlace> places;
     try {
       places = post::profile_places(first, question.line);
     } catch (const std::runtime_error&) {
-      if (asked)
+      if (is_requested)
         throw;
       return;
     }

@@ -47,9 +47,9 @@ Job::Job(const RunOptions& given)
 
 void Job::add_last_card() {
   const auto where = diagnostics.from_command_line(options.last_card);
-  deck::Diagnostics said("", options.last_card);
+  deck::Diagnostics card_faults("", options.last_card);
   for (deck::Command& card :
-       deck::parse_further("", options.last_card, said).commands) {
+       deck::parse_further("", options.last_card, card_faults).commands) {
     card.where = where;
     const auto same =
         std::find_if(deck.commands.begin(), deck.commands.end(),
@@ -63,7 +63,7 @@ void Job::add_last_card() {
                          card);
     ++end;
   }
-  for (const deck::Diagnostic& one : said.all())
+  for (const deck::Diagnostic& one : card_faults.all())
     diagnostics.error(where, one.card, one.message, one.hint);
 }
 

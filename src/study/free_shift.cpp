@@ -32,9 +32,9 @@ std::pair<double, double> extent(const Polygon& outline, const Vec2& axis) {
 std::pair<double, double> hits(const Polygon& block, const Polygon& part,
                                const Vec2& direction) {
   double begin = -infinite, end = infinite;
-  for (const Polygon* of : {&block, &part})
-    for (std::size_t i = 0; i < of->size(); ++i) {
-      const Vec2 axis = outward(*of, i);
+  for (const Polygon* polygon : {&block, &part})
+    for (std::size_t i = 0; i < polygon->size(); ++i) {
+      const Vec2 axis = outward(*polygon, i);
       const auto [b0, b1] = extent(block, axis);
       const auto [p0, p1] = extent(part, axis);
       const double rate = axis.dot(direction);

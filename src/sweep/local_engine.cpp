@@ -81,11 +81,11 @@ class LocalEngine {
   }
 
   void pass_on_signals() {
-    const SignalWatch::Asked asked = signals_.asked();
-    if (asked == SignalWatch::Asked::nothing)
+    const SignalWatch::Asked request = signals_.request();
+    if (request == SignalWatch::Asked::nothing)
       return;
     for (const Worker& worker : workers_)
-      worker.send(asked == SignalWatch::Asked::stop ? SIGTERM : SIGKILL);
+      worker.send(request == SignalWatch::Asked::stop ? SIGTERM : SIGKILL);
   }
 
   /// Waits until a run has ended, a signal has come, or the progress line is due.

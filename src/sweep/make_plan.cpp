@@ -104,10 +104,10 @@ bool can_set_all(const Plan& plan, const std::string& text,
                  [&](const std::string& set) { return !known.contains(set); });
     if (fresh.empty())
       continue;
-    deck::Diagnostics said(plan.deck, text);
-    deck::parse(plan.deck, text, said, overrides_of(run));
-    if (said.has_errors()) {
-      fmt::print(stderr, "{}", said.format_all());
+    deck::Diagnostics diagnostics(plan.deck, text);
+    deck::parse(plan.deck, text, diagnostics, overrides_of(run));
+    if (diagnostics.has_errors()) {
+      fmt::print(stderr, "{}", diagnostics.format_all());
       return false;
     }
     known.insert(fresh.begin(), fresh.end());

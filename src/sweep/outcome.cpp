@@ -92,8 +92,8 @@ std::optional<Outcome> read_outcome_or_damage(const std::string& run_folder) {
     return read_outcome(run_folder);
   } catch (const output::FileError& fault) {
     // Reports must not depend on where the sweep is.
-    const std::string told = fault.what(), path = path_of(run_folder);
-    std::string reason = told.substr(0, told.find('\n'));
+    const std::string message = fault.what(), path = path_of(run_folder);
+    std::string reason = message.substr(0, message.find('\n'));
     if (const auto at = reason.find(path); at != std::string::npos)
       reason.replace(at, path.size(), "outcome.json");
     return Outcome{

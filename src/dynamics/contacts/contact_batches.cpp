@@ -66,11 +66,11 @@ int ContactBatches::add_batch(int rows) {
 }
 
 void ContactBatches::find_shared_ends(int batch, int k) {
-  const BatchPairs& of = pairs[batch];
+  const BatchPairs& own = pairs[batch];
   const auto acts = [&](int row) {
-    return row >= 0 && is((of.first_row + row) * lane_count + k, &ContactStates::acts);
+    return row >= 0 && is((own.first_row + row) * lane_count + k, &ContactStates::acts);
   };
-  for (int row = of.first_row; row < of.first_row + of.rows; ++row) {
+  for (int row = own.first_row; row < own.first_row + own.rows; ++row) {
     const int slot = row * lane_count + k;
     set(slot, &FaceRow::shared_before, acts(faces[row].partner_before[k]));
     set(slot, &FaceRow::shared_after, acts(faces[row].partner_after[k]));

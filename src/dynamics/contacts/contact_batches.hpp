@@ -24,9 +24,9 @@ class ContactBatches : public BatchArrays {
 
   /// Adds the law of a contact to those of its batch.
   void include_law(int batch, int law, LawBits bit) {
-    BatchPairs& of = pairs[batch];
-    of.only_law = of.laws == 0 || of.only_law == law ? law : -1;
-    of.laws |= bit;
+    BatchPairs& own = pairs[batch];
+    own.only_law = own.laws == 0 || own.only_law == law ? law : -1;
+    own.laws |= bit;
   }
 
   /// Finds which contacts in lane k of a batch share ends of faces with others that

@@ -22,25 +22,25 @@ LawBits bit_of(LawKind kind) {
 
 /// Returns the values that the kernels need.
 LawValues<double> values_of(const JointLaw& law) {
-  LawValues<double> of = {};
-  of.friction = law.friction, of.residual_friction = law.residual_friction;
-  of.cohesion = law.cohesion, of.residual_cohesion = law.residual_cohesion;
-  of.tension = law.tension, of.residual_tension = law.residual_tension;
-  of.dilation = law.dilation, of.dilation_limit = law.dilation_limit;
-  of.unloading_ratio = 1.0 / (law.restitution * law.restitution);
-  of.roughness = law.roughness, of.wall_strength = law.wall_strength;
-  of.residual_angle = law.residual_angle * std::numbers::pi / 180.0;
-  of.peak_slip = law.peak_slip, of.strength_share = law.strength_share;
-  of.largest_closure = law.largest_closure;
+  LawValues<double> values = {};
+  values.friction = law.friction, values.residual_friction = law.residual_friction;
+  values.cohesion = law.cohesion, values.residual_cohesion = law.residual_cohesion;
+  values.tension = law.tension, values.residual_tension = law.residual_tension;
+  values.dilation = law.dilation, values.dilation_limit = law.dilation_limit;
+  values.unloading_ratio = 1.0 / (law.restitution * law.restitution);
+  values.roughness = law.roughness, values.wall_strength = law.wall_strength;
+  values.residual_angle = law.residual_angle * std::numbers::pi / 180.0;
+  values.peak_slip = law.peak_slip, values.strength_share = law.strength_share;
+  values.largest_closure = law.largest_closure;
   const bool is_barton = law.kind == LawKind::barton;
   // where the tangent kni / (1 - V / vm)^2 reaches knmax
-  of.linear_from =
+  values.linear_from =
       is_barton ? law.largest_closure *
                       (1.0 - std::sqrt(law.initial_stiffness / law.largest_stiffness))
                 : 0.0;
-  of.normal_stiffness = is_barton ? law.initial_stiffness : law.normal_stiffness;
-  of.shear_stiffness = law.shear_stiffness;
-  return of;
+  values.normal_stiffness = is_barton ? law.initial_stiffness : law.normal_stiffness;
+  values.shear_stiffness = law.shear_stiffness;
+  return values;
 }
 
 }  // namespace

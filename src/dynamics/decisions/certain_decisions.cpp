@@ -153,9 +153,9 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
   lanes_.used_corners = 0;
   lanes_.rigid = decisions.bounds.rigid;
   for (int i = 0; i < lane_count; ++i) {
-    const TwoParts& two = two_parts_[first + (i < count ? i : 0)];
+    const TwoParts& lane_parts = two_parts_[first + (i < count ? i : 0)];
     for (int k = 0; k < 2; ++k) {
-      const int part = two.part[k], block = parts.block(part);
+      const int part = lane_parts.part[k], block = parts.block(part);
       lanes_.block[k][i] = block;
       lanes_.corners[k][i] = parts.corners(part);
       lanes_.longest[k][i] = decisions.bounds.longest[block];
@@ -171,10 +171,11 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
     }
   kernels().find_faces(lanes_, state_of(blocks), answers_);
   for (int i = 0; i < count; ++i) {
-    const TwoParts& two = two_parts_[first + i];
-    CertainDecision& decision = decisions_[two.of];
+    const TwoParts& lane_parts = two_parts_[first + i];
+    CertainDecision& decision = decisions_[lane_parts.due];
     if (decision.validity > 0.0)
-      LaneDecision(blocks, parts, index, decisions, due[two.of], answers_, i, two.part)
+      LaneDecision(blocks, parts, index, decisions, due[lane_parts.due], answers_, i,
+                   lane_parts.part)
           .take(decision);
   }
 }

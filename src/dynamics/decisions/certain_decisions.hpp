@@ -36,9 +36,9 @@ class CertainDecisions {
   const CertainDecision& operator[](std::size_t k) const { return decisions_[k]; }
 
  private:
-  /// Two convex parts of the blocks of pair due[of].
+  /// Two convex parts of the blocks of a pair. due: index in the list of pairs.
   struct TwoParts {
-    int of, part[2];
+    int due, part[2];
   };
   void decide_lanes(const Blocks& blocks, const BlockParts& parts,
                     const PairIndex& index, const Decisions& decisions,

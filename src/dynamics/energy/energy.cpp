@@ -152,9 +152,9 @@ double keep_motion(const Model& model, EnergyMemory& memory) {
 
 void begin_energy(Model& model) {
   EnergyAccount& account = model.energy;
-  const std::vector<std::string>& asked = model.history.quantities;
+  const std::vector<std::string>& quantities = model.history.quantities;
   const bool needed =
-      std::any_of(asked.begin(), asked.end(),
+      std::any_of(quantities.begin(), quantities.end(),
                   [](const std::string& name) { return name.starts_with("energy:"); });
   if (!needed || account.kept)
     return;

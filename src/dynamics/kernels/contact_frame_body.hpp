@@ -190,10 +190,10 @@ BLOCKS_INLINE void store_sums(const BatchArrays& batches, int batch,
   store_point(&forces->fx, 4, sums.x, sums.y);
   store_point(&forces->moment_low, 4, sums.moment_low, sums.moment_high);
   if constexpr (stresses) {
-    PairStress* const of = batches.stresses + batch * lane_count + i;
+    PairStress* const stress = batches.stresses + batch * lane_count + i;
     for (int k = 0; k < 4; k += 2) {
-      store_point(&of->low[k], 8, sums.low[k], sums.low[k + 1]);
-      store_point(&of->high[k], 8, sums.high[k], sums.high[k + 1]);
+      store_point(&stress->low[k], 8, sums.low[k], sums.low[k + 1]);
+      store_point(&stress->high[k], 8, sums.high[k], sums.high[k + 1]);
     }
   }
 }
@@ -201,12 +201,12 @@ BLOCKS_INLINE void store_sums(const BatchArrays& batches, int batch,
 /// Step e.: adds the forces of row s. They are equal and opposite and act at one point.
 template <bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void add_forces(const BatchArrays& batches, int s,
-                              const Pairs<rigid>& two, const Frame& at, Choice acts,
+                              const Pairs<rigid>& pair, const Frame& at, Choice acts,
                               Pack normal, Pack shear, int i, Sums& sums) {
   const Pack fx = where(acts, -(normal * at.ty) - shear * at.tx);
   const Pack fy = where(acts, normal * at.tx - shear * at.ty);
-  sums.add(fx, fy, at.x - two.low_x, at.y - two.low_y, at.x - two.high_x,
-           at.y - two.high_y);
+  sums.add(fx, fy, at.x - pair.low_x, at.y - pair.low_y, at.x - pair.high_x,
+           at.y - pair.high_y);
   if constexpr (readings) {
     ReadingRow& read = batches.readings[s];
     store(read.overlap, i, where(acts, at.overlap));
@@ -242,8 +242,8 @@ template <bool rigid> struct WorkSums {
             step_of(dt, motion, before, after, force, is_hysteretic, normal_energy)));
     // The springs move with other velocities than the blocks, which is an error of the
     // integration.
-    const Point of = now.velocity(at.x - now.low_x, at.y - now.low_y);
-    const Pack x = of[0] - v[0], y = of[1] - v[1];
+    const Point moved = now.velocity(at.x - now.low_x, at.y - now.low_y);
+    const Pack x = moved[0] - v[0], y = moved[1] - v[1];
     const Pack closing = x * at.ty - y * at.tx, sliding = x * at.tx + y * at.ty;
     const Pack work = dt * (force.normal * closing + force.shear * sliding);
     sums.integration += where(acts, work);

@@ -9,15 +9,15 @@ namespace {
 
 /// Steps b. to e. for row s of a batch without laws of joints.
 template <bool rigid, bool readings, class Sums>
-BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
+BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& pair,
                            const Frame& at, Pack damping, const ContactLaw& law, int i,
                            Sums& sums, Maxima& maxima, WorkSums<rigid>& works) {
   const ContactStates& row = batches.states[s];
   const Choice acts = choice_of(load(row.acts, i));
   const Bits starts = load(row.starts, i);
   const Pack nx = -at.ty, ny = at.tx;
-  const Pack x = at.x - two.low_x, y = at.y - two.low_y;
-  const Point v = two.velocity(x, y);
+  const Pack x = at.x - pair.low_x, y = at.y - pair.low_y;
+  const Point v = pair.velocity(x, y);
   const Pack vx = v[0], vy = v[1];
 
   // Steps b. to d.
@@ -36,8 +36,8 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   if (batches.has_account)
     works.add(
         acts, law.dt, at, v, motion, before, state, force, Pack{},
-        [](const ContactState<Pack>& of)
-            __attribute__((always_inline)) { return coulomb_energy(of); });
+        [](const ContactState<Pack>& contact)
+            __attribute__((always_inline)) { return coulomb_energy(contact); });
   const Pack normal_elastic = where(acts, state.normal);
   SpringRow& advanced = batches.advanced[s];
   store(advanced.normal_elastic, i, normal_elastic);
@@ -45,7 +45,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   const Pack reached = where(acts, at.overlap);
   maxima.include(reached, normal_elastic);
 
-  add_forces<rigid, readings>(batches, s, two, at, acts, force.normal, force.shear, i,
+  add_forces<rigid, readings>(batches, s, pair, at, acts, force.normal, force.shear, i,
                               sums);
 }
 
@@ -69,10 +69,10 @@ BLOCKS_INLINE bool is_unsettled(const BatchArrays& batches, int first, int last,
 /// has yet to be settled.
 template <LawBits laws, bool find, bool rigid, bool readings>
 Maxima act_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
-               const ContactLaw& law, int i) {
+                 const ContactLaw& law, int i) {
   constexpr bool has_laws = laws != no_law, stresses = readings || !rigid;
   const BatchPairs& pairs = batches.pairs[batch];
-  const Pairs<rigid> two(pairs, blocks, law.dt, i);
+  const Pairs<rigid> pair(pairs, blocks, law.dt, i);
   const Pack damping = load(pairs.damping, i);
   Sums<stresses> sums;
   Maxima maxima;
@@ -105,10 +105,10 @@ Maxima act_batch(const BatchArrays& batches, int batch, const BlockState& blocks
       const Frame& frame = frames[s - first];
       if constexpr (has_laws)
         act_joint_row<laws, rigid, readings>(batches, batch, s, edges[s - first], frame,
-                                             blocks, two, damping, law, i, sums, maxima,
-                                             works);
+                                             blocks, pair, damping, law, i, sums,
+                                             maxima, works);
       else
-        act_row<rigid, readings>(batches, s, two, frame, damping, law, i, sums, maxima,
+        act_row<rigid, readings>(batches, s, pair, frame, damping, law, i, sums, maxima,
                                  works);
     }
   }
@@ -120,7 +120,7 @@ Maxima act_batch(const BatchArrays& batches, int batch, const BlockState& blocks
 
 template <bool find, bool rigid, bool readings>
 Maxima act_any_batch(const BatchArrays& batches, int batch, const BlockState& blocks,
-                   const ContactLaw& law, int i) {
+                     const ContactLaw& law, int i) {
   const BatchPairs& pairs = batches.pairs[batch];
   const auto act = [&]<LawBits laws>(std::integral_constant<LawBits, laws>)
       __attribute__((always_inline)) {

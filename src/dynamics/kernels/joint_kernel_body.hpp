@@ -35,8 +35,8 @@ BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
   store(states.in_doubt, i, load(states.in_doubt, i) & ~held);
 }
 
-BLOCKS_INLINE EdgeLine<Pack> edge_line(const Sides& of) {
-  return {of.ex, of.ey, of.square, of.cx * of.ex + of.cy * of.ey};
+BLOCKS_INLINE EdgeLine<Pack> edge_line(const Sides& sides) {
+  return {sides.ex, sides.ey, sides.square, sides.cx * sides.ex + sides.cy * sides.ey};
 }
 
 /// The part of the faces that each contact of a row stands for.
@@ -145,13 +145,13 @@ BLOCKS_INLINE void apply_laws(LawBits present, Pack kinds,
         present, [&]<LawBits law>(std::integral_constant<LawBits, law>)
                      __attribute__((always_inline)) {
                        ContactState<Pack> own = start;
-                       ContactForce<Pack> of = {};
-                       apply_law<law, true>(values, dt, motion, own, of);
+                       ContactForce<Pack> one = {};
+                       apply_law<law, true>(values, dt, motion, own, one);
                        const auto put = [&](Pack & to, const Pack& x)
                            __attribute__((always_inline)) {
                          to = kinds == static_cast<double>(law) ? x : to;
                        };
-                       put(force.normal, of.normal), put(force.shear, of.shear);
+                       put(force.normal, one.normal), put(force.shear, one.shear);
                        put(state.normal, own.normal), put(state.shear, own.shear);
                        each_state(put, state, own);
                      });
@@ -180,7 +180,7 @@ BLOCKS_INLINE Pack energy_of(Pack kinds, const LawValues<Pack>& values,
 template <LawBits laws, bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
                                  const EdgeLine<Pack>& edge, const Frame& at,
-                                 const BlockState& blocks, const Pairs<rigid>& two,
+                                 const BlockState& blocks, const Pairs<rigid>& pair,
                                  Pack damping, const ContactLaw& usual, int i,
                                  Sums& sums, Maxima& maxima, WorkSums<rigid>& works) {
   const BatchPairs& pairs = batches.pairs[batch];
@@ -191,7 +191,7 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
     store_state(batches, batch, s, i, acts, ContactState<Pack>{});
     return;
   }
-  const Point v = two.velocity(at.x - two.low_x, at.y - two.low_y);
+  const Point v = pair.velocity(at.x - pair.low_x, at.y - pair.low_y);
 
   ContactState<Pack> state = load_state(batches, s, i);
   const FaceLength face = length_of(batches.faces[s], edge, at, blocks, i);
@@ -223,8 +223,8 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
     works.add(
         acts, usual.dt, at, v, motion, before, state, force,
         kinds == static_cast<double>(walton_bit) ? all_of(1.0) : Pack{},
-        [&](const ContactState<Pack>& of) __attribute__((always_inline)) {
-          return energy_of<laws>(kinds, values, of);
+        [&](const ContactState<Pack>& contact) __attribute__((always_inline)) {
+          return energy_of<laws>(kinds, values, contact);
         });
   }
   // The run judges springs by the stiffness of STIFF, so it gets the force that would
@@ -232,7 +232,7 @@ BLOCKS_INLINE void act_joint_row(const BatchArrays& batches, int batch, int s,
   // received a spring has more force than its overlap.
   const Pack overlap = where(acts, at.overlap);
   maxima.include(overlap, overlap * usual.normal_stiffness);
-  add_forces<rigid, readings>(batches, s, two, at, acts, force.normal, force.shear, i,
+  add_forces<rigid, readings>(batches, s, pair, at, acts, force.normal, force.shear, i,
                               sums);
 }
 

@@ -50,17 +50,17 @@ template <bool may_start, class Number>
 closing_of(double dt, const ContactMotion<Number>& motion,
            const ContactState<Number>& state) {
   const Number none = Number{}, whole = none + 1.0;
-  Closing<Number> of = {motion.closing * dt, whole, motion.overlap + state.offset,
-                        none};
+  Closing<Number> closing = {motion.closing * dt, whole, motion.overlap + state.offset,
+                             none};
   if constexpr (may_start) {
-    of.begins = state.bonded > 0.0 ? none : motion.starting;
-    if (holds_in_any_lane(of.begins > 0.0)) {
-      const Number part = of.max_closure / of.advance;
-      const Number first_share = of.advance > of.max_closure ? part : whole;
-      of.share = of.begins > 0.0 ? first_share : whole;
+    closing.begins = state.bonded > 0.0 ? none : motion.starting;
+    if (holds_in_any_lane(closing.begins > 0.0)) {
+      const Number part = closing.max_closure / closing.advance;
+      const Number first_share = closing.advance > closing.max_closure ? part : whole;
+      closing.share = closing.begins > 0.0 ? first_share : whole;
     }
   }
-  return of;
+  return closing;
 }
 
 /// The shear spring at the end of a step.

@@ -54,9 +54,9 @@ template <class Number>
 template <class Number> [[gnu::always_inline]] inline Number log10_of(const Number& x) {
   constexpr double log10_2 = 0.30102999566398119521,
                    two_over_ln10 = 0.86858896380650365530;
-  const Scaled<Number> of = scaled(x);
-  const Number artanh = of.w + of.w * (of.w * of.w) * artanh_rest(of.w);
-  return of.exponent * log10_2 + two_over_ln10 * artanh;
+  const Scaled<Number> parts = scaled(x);
+  const Number artanh = parts.w + parts.w * (parts.w * parts.w) * artanh_rest(parts.w);
+  return parts.exponent * log10_2 + two_over_ln10 * artanh;
 }
 
 /// Returns ln(1 + x) - x / (1 + x) for 0 <= x < infinity, which is x^2 / 2 for small x,
@@ -65,14 +65,14 @@ template <class Number>
 [[gnu::always_inline]] inline Number closure_integral(const Number& x) {
   constexpr double ln_2 = 0.69314718055994530942;
   const Number sum = 1.0 + x;
-  const Scaled<Number> of = scaled(sum);
+  const Scaled<Number> parts = scaled(sum);
   // Below sqrt(2) the two first-order terms cancel, and are left out.
   const Number small = x / (2.0 + x);
-  const Number w = of.exponent > 0.0 ? of.w : small;
+  const Number w = parts.exponent > 0.0 ? parts.w : small;
   const Number rest = w * (w * w) * artanh_rest(w);
   const Number near = 2.0 * (w * w / (1.0 + w) + rest);
-  const Number far = (of.exponent * ln_2 + 2.0 * (w + rest)) - x / sum;
-  return of.exponent > 0.0 ? far : near;
+  const Number far = (parts.exponent * ln_2 + 2.0 * (w + rest)) - x / sum;
+  return parts.exponent > 0.0 ? far : near;
 }
 
 /// The tangent of an angle of 0 to 0.62 as a fraction: Lambert's continued fraction up
@@ -87,15 +87,16 @@ template <class Number>
 /// Returns tan(y) for 0 <= y <= 0.62, with a relative error below 2^-50.
 template <class Number>
 [[gnu::always_inline]] inline Number small_tan(const Number& y) {
-  const Tangent<Number> of = tangent_of(y);
-  return of.numerator / of.denominator;
+  const Tangent<Number> tangent = tangent_of(y);
+  return tangent.numerator / tangent.denominator;
 }
 /// Returns tan(x) for 0 <= x <= 1.24 (71 degrees), with a relative error below 2^-49.
 template <class Number> [[gnu::always_inline]] inline Number tan_of(const Number& x) {
   const Number y = 0.5 * x;
-  const Tangent<Number> of = tangent_of(y);
-  return 2.0 * of.numerator * of.denominator /
-         (of.denominator * of.denominator - of.numerator * of.numerator);
+  const Tangent<Number> tangent = tangent_of(y);
+  return 2.0 * tangent.numerator * tangent.denominator /
+         (tangent.denominator * tangent.denominator -
+          tangent.numerator * tangent.numerator);
 }
 
 }  // namespace blocks::dynamics

@@ -106,11 +106,11 @@ BLOCKS_INLINE Rows<2> rows_of(Pack a, Pack b) {
 BLOCKS_INLINE Columns<2> columns_of(Pack x, Pack y) {
   return {low_turns(x, y, EachLane()), high_turns(x, y, EachLane())};
 }
-BLOCKS_INLINE Rows<2> rows_of(const Columns<2>& of) {
-  return rows_of(of.part[0], of.part[1]);
+BLOCKS_INLINE Rows<2> rows_of(const Columns<2>& columns) {
+  return rows_of(columns.part[0], columns.part[1]);
 }
-BLOCKS_INLINE Columns<2> columns_of(const Rows<2>& of) {
-  return columns_of(of[0], of[1]);
+BLOCKS_INLINE Columns<2> columns_of(const Rows<2>& rows) {
+  return columns_of(rows[0], rows[1]);
 }
 #if BLOCKS_LANES_AT_ONCE == 4
 // A four by four transpose takes half the instructions of the general code below.
@@ -124,21 +124,22 @@ template <class To> BLOCKS_INLINE To transposed(const Pack* m) {
           __builtin_shufflevector(a, c, 2, 3, 6, 7),
           __builtin_shufflevector(b, d, 2, 3, 6, 7)};
 }
-BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& of) {
-  return transposed<Rows<4>>(of.part);
+BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& columns) {
+  return transposed<Rows<4>>(columns.part);
 }
-BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& of) {
-  return transposed<Columns<4>>(of.row);
+BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& rows) {
+  return transposed<Columns<4>>(rows.row);
 }
 #else
-BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& of) {
-  const Rows<2> low = rows_of(of.part[0], of.part[1]);  // rows 0 and 2; 1 and 3
-  const Rows<2> high = rows_of(of.part[2], of.part[3]);
+BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& columns) {
+  const Rows<2> low =
+      rows_of(columns.part[0], columns.part[1]);  // rows 0 and 2; 1 and 3
+  const Rows<2> high = rows_of(columns.part[2], columns.part[3]);
   const Rows<2> a = rows_of(low[0], high[0]), b = rows_of(low[1], high[1]);
   return {a[0], b[0], a[1], b[1]};
 }
-BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& of) {
-  const Columns<2> a = columns_of(of[0], of[2]), b = columns_of(of[1], of[3]);
+BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& rows) {
+  const Columns<2> a = columns_of(rows[0], rows[2]), b = columns_of(rows[1], rows[3]);
   const Columns<2> low = columns_of(a.part[0], b.part[0]);
   const Columns<2> high = columns_of(a.part[1], b.part[1]);
   return {low.part[0], low.part[1], high.part[0], high.part[1]};
@@ -177,8 +178,8 @@ BLOCKS_INLINE Rows<rows> load_rows(const double* matrix, int b, Lanes lanes) {
 }
 template <int rows, class Lanes>
 BLOCKS_INLINE void store_rows(double* matrix, int b, Lanes lanes,
-                              const Rows<rows>& of) {
-  store_columns(matrix, b, lanes, columns_of(of));
+                              const Rows<rows>& numbers) {
+  store_columns(matrix, b, lanes, columns_of(numbers));
 }
 
 // x and y of each block are often processed in the order of memory.

@@ -21,14 +21,14 @@ Dashpots dashpots_of(const Blocks& blocks, const QuietSide& quiet) {
 
 QuietForces forces_of(const Blocks& blocks, const QuietSide& quiet) {
   const auto [c1, c2] = ends_of(blocks, quiet);
-  const Dashpots by = dashpots_of(blocks, quiet);
+  const Dashpots dashpot = dashpots_of(blocks, quiet);
   QuietForces forces;
   forces.arm[0] = blocks.present_arm(c1), forces.arm[1] = blocks.present_arm(c2);
   for (int i = 0; i < 2; ++i) {
     const Vec2 v = point_velocity(blocks, quiet.block, forces.arm[i]);
     forces.velocity[i] = v;
-    forces.force[i] =
-        -(by.normal * by.p.dot(v)) * by.p - (by.along * by.a.dot(v)) * by.a;
+    forces.force[i] = -(dashpot.normal * dashpot.p.dot(v)) * dashpot.p -
+                      (dashpot.along * dashpot.a.dot(v)) * dashpot.a;
   }
   return forces;
 }

@@ -23,9 +23,9 @@ ContactTable::ContactTable(Model& model) : model_(model) {
 ContactEntry* ContactTable::find(const CornerOnEdge& at) {
   const auto key = sort_key(model_.blocks, unloaded(at));
   const auto end = all_.begin() + static_cast<std::ptrdiff_t>(listed_);
-  const auto place =
-      std::lower_bound(all_.begin(), end, key, [&](const auto& one, const auto& of) {
-        return sort_key(model_.blocks, one.first) < of;
+  const auto place = std::lower_bound(
+      all_.begin(), end, key, [&](const auto& one, const auto& wanted) {
+        return sort_key(model_.blocks, one.first) < wanted;
       });
   const bool is_listed = place != end && sort_key(model_.blocks, place->first) == key;
   return is_listed ? &*place : nullptr;

@@ -24,11 +24,12 @@ Vec2 force_on_corner(const Plane& plane, const PlaneContact& contact) {
 void PairLoads::add(const Face& face) {
   const double slack = same_point * face.length_of_side();
   const FaceEnd ends[2] = {face.end(false, slack), face.end(true, slack)};
-  Eigen::Matrix2d of[2];
+  Eigen::Matrix2d stress[2];
   for (int i = 0; i < 2; ++i)
-    of[i] = field_.at(blocks_.corner(1, ends[i].records[0].corner));
+    stress[i] = field_.at(blocks_.corner(1, ends[i].records[0].corner));
   for (int i = 0; i < 2; ++i) {
-    const Eigen::Matrix2d force = (face.common() / 6.0) * (2.0 * of[i] + of[1 - i]);
+    const Eigen::Matrix2d force =
+        (face.common() / 6.0) * (2.0 * stress[i] + stress[1 - i]);
     for (int k = 0; k < ends[i].count; ++k)
       add(ends[i].records[static_cast<std::size_t>(k)], force / ends[i].count);
   }

@@ -31,27 +31,28 @@ double decay_rate(const Blocks& blocks, bool rigid, int b,
   // symmetric matrices on them.
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
   const int n = rigid ? 3 : 6;
-  const BlockMasses of = masses_of(blocks, b, rigid);
+  const BlockMasses block_masses = masses_of(blocks, b, rigid);
   Matrix masses = Matrix::Zero(n, n), dashpots = Matrix::Zero(n, n);
-  masses.diagonal().head<3>() << of.mass, of.mass, of.inertia;
+  masses.diagonal().head<3>() << block_masses.mass, block_masses.mass,
+      block_masses.inertia;
   if (!rigid) {
-    const auto [m11, m22, m12] = of.strain;
+    const auto [m11, m22, m12] = block_masses.strain;
     masses.bottomRightCorner<3, 3>() << m11, 0, m12, 0, m22, m12, m12, m12, m11 + m22;
   }
   for (const QuietSide& quiet : sides) {
     if (quiet.block != b)
       continue;
-    const Dashpots by = dashpots_of(blocks, quiet);
+    const Dashpots dashpot = dashpots_of(blocks, quiet);
     const auto [c1, c2] = ends_of(blocks, quiet);
     for (const int corner : {c1, c2}) {
       const Vec2 arm = blocks.present_arm(corner);
       const double x = arm.x(), y = arm.y();
       Eigen::Matrix<double, 2, 6> motion;
       motion << 1, 0, -y, x, 0, y, 0, 1, x, 0, y, x;
-      const Eigen::VectorXd normal = motion.leftCols(n).transpose() * by.p;
-      const Eigen::VectorXd along = motion.leftCols(n).transpose() * by.a;
-      dashpots += by.normal * normal * normal.transpose();
-      dashpots += by.along * along * along.transpose();
+      const Eigen::VectorXd normal = motion.leftCols(n).transpose() * dashpot.p;
+      const Eigen::VectorXd along = motion.leftCols(n).transpose() * dashpot.a;
+      dashpots += dashpot.normal * normal * normal.transpose();
+      dashpots += dashpot.along * along * along.transpose();
     }
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solved(dashpots, masses,

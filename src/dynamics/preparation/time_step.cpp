@@ -87,8 +87,8 @@ class ContactStiffness {
       largest = std::max(largest, state.shear_stiffness);
       const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
       for (const int b : {low, high}) {
-        double& of = present_[static_cast<std::size_t>(b)];
-        of = std::max(of, largest);
+        double& stiffness = present_[static_cast<std::size_t>(b)];
+        stiffness = std::max(stiffness, largest);
       }
     }
   }

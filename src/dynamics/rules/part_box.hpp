@@ -26,8 +26,8 @@ struct PartBox {
   }
   /// Returns the box grown by so many times the sum of its extents.
   PartBox grown(double times) const {
-    const double by = times * (upper - lower).sum();
-    return {lower.array() - by, upper.array() + by};
+    const double growth = times * (upper - lower).sum();
+    return {lower.array() - growth, upper.array() + growth};
   }
 };
 

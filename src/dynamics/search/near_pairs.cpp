@@ -66,8 +66,8 @@ void find_boxes(const Blocks& blocks, double reach, NearSearch& memory) {
     // slack still touches it.
     constexpr double part_of_extents =
         1.5 * geometry::third_reach + 2.0 * geometry::contact_slack;
-    const double by = reach + part_of_extents * (upper - lower).sum();
-    memory.lower[b] = lower.array() - by, memory.upper[b] = upper.array() + by;
+    const double growth = reach + part_of_extents * (upper - lower).sum();
+    memory.lower[b] = lower.array() - growth, memory.upper[b] = upper.array() + growth;
   }
 }
 

@@ -14,7 +14,7 @@
 namespace blocks::post {
 namespace {
 
-using Of = Curve::Of;
+using Subject = Curve::Subject;
 using quantities::OtherKind;
 using quantities::Statistic;
 using How = Statistic::How;
@@ -37,24 +37,24 @@ std::string reduced_label(const Statistic& statistic, const std::string& label) 
 }
 
 std::string label_of(const Curve& curve, const std::string& label) {
-  switch (curve.of) {
-  case Of::block:
+  switch (curve.subject) {
+  case Subject::block:
     return fmt::format("{} of block {}", label, curve.first);
-  case Of::corner:
+  case Subject::corner:
     return fmt::format("{} of block {}, corner {}", label, curve.first, curve.corner);
-  case Of::joint:
-  case Of::pair: {
+  case Subject::joint:
+  case Subject::pair: {
     const std::string place =
-        curve.of == Of::joint
+        curve.subject == Subject::joint
             ? fmt::format("joint {}", curve.joint)
             : fmt::format("blocks {} and {}", curve.first, curve.last);
     return fmt::format(
         "{} of {}", curve.has_statistic ? reduced_label(curve.statistic, label) : label,
         place);
   }
-  case Of::blocks:
+  case Subject::blocks:
     break;
-  case Of::model:
+  case Subject::model:
     return label;
   }
   const std::string reduced = reduced_label(curve.statistic, label);
@@ -69,7 +69,8 @@ std::string label_of(const Curve& curve, const std::string& label) {
 
 Series empty_series(const Curve& curve, bool compression_positive) {
   if (const OtherKind* other = quantities::find_other(curve.quantity)) {
-    const bool largest = other->natural == How::largest && curve.of == Of::model;
+    const bool largest =
+        other->natural == How::largest && curve.subject == Subject::model;
     return {curve,
             label_of(curve, largest ? "largest " + other->label : other->label),
             other->label,
@@ -166,7 +167,7 @@ void require_places(const Question& question) {
       throw std::runtime_error(fmt::format("{} has no blocks of material {}: choose {}",
                                            results.path(), curve.material,
                                            material_list(results)));
-    if (curve.of != Of::corner)
+    if (curve.subject != Subject::corner)
       continue;
     if (outlines.empty())
       outlines = last_outlines(question.parts);
@@ -224,7 +225,8 @@ double sign_of(const Curve& curve, bool compression_positive) {
   if (!compression_positive || kind == nullptr || !quantities::is_stress(*kind))
     return 1.0;
   const How how = curve.statistic.how;
-  const bool ordered = curve.of == Of::blocks && how != How::sum && how != How::mean;
+  const bool ordered =
+      curve.subject == Subject::blocks && how != How::sum && how != How::mean;
   return ordered || kind->name == "p1" || kind->name == "p2" ? 0.0 : -1.0;
 }
 

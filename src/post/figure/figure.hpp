@@ -50,7 +50,7 @@ struct FigureOptions {
   std::vector<draw::MarkName> mark_names;  ///< legend of the marks
   std::vector<PlaneLine> planes;           ///< symmetry planes
   std::optional<std::string> title;        ///< empty text: no title; none: of the run
-  std::vector<double> asked_times;         ///< of the pictures of a sheet; may be empty
+  std::vector<double> requested_times;     ///< of the pictures of a sheet; may be empty
   std::string subtitle;  ///< replaces time and step, or the counts of a sheet
   std::map<int, draw::Colour> material_colours;  ///< replace the default colours
   std::map<int, std::string> material_names;     ///< shown instead of the numbers

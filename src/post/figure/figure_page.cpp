@@ -197,11 +197,11 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
   const Axes here = axes(i);
   draw_scene(pen, here, picture, scales_, options_);
   rulers(pen, here, i + columns_ >= count_, i % columns_ == 0);
-  const auto& asked = options_.asked_times;
-  const bool is_asked = i < asked.size() && !options_.page.printed;
-  const std::string at =
-      time_text(picture.now.time, is_asked ? std::optional(asked[i]) : std::nullopt,
-                options_.units);
+  const auto& requested = options_.requested_times;
+  const bool is_requested = i < requested.size() && !options_.page.printed;
+  const std::string at = time_text(
+      picture.now.time, is_requested ? std::optional(requested[i]) : std::nullopt,
+      options_.units);
   if (count_ > 1)
     pen.text(at, here.left, here.top - 9, 15, muted, 0, 1);
   else if (has_subtitle(options_))

@@ -117,7 +117,8 @@ class Packer {
         continue;
       std::array<const float*, 3> by{};
       for (std::size_t j = 0; j < 3; ++j)
-        by[j] = formula->of[j] == nullptr ? nullptr : shown_by(formula->of[j]).data();
+        by[j] = formula->operands[j] == nullptr ? nullptr
+                                                : shown_by(formula->operands[j]).data();
       const std::string name = formula->name;
       const std::vector<double>& origin = shapes_.origin();
       const Guess guess = [&, by](std::size_t i) -> double {

@@ -51,18 +51,19 @@ void ViewForces::store(ViewStore& store, int count) const {
     std::vector<Bytes> new_directions(corners), new_sizes(corners);
     for (const Arrow& arrow : arrows) {
       const auto corner = static_cast<std::size_t>(arrow.corner);
-      const auto tell = [&](unsigned char value, Bytes& told, Bytes& now,
-                            const Bytes& before) {
+      const auto append_change = [&](unsigned char value, Bytes& changes, Bytes& now,
+                                     const Bytes& before) {
         const std::size_t rank = now.size();
-        told.push_back(static_cast<unsigned char>(
+        changes.push_back(static_cast<unsigned char>(
             value - (rank < before.size() ? before[rank] : 0)));
         now.push_back(value);
       };
       const double decades = arrow.size > 0.0 ? std::log10(arrow.size / largest_) : -9;
-      tell(arrow.direction, directions, new_directions[corner], old_directions[corner]);
-      tell(static_cast<unsigned char>(
-               std::clamp(std::lround(255 * (1 + decades / 6)), 0L, 255L)),
-           sizes, new_sizes[corner], old_sizes[corner]);
+      append_change(arrow.direction, directions, new_directions[corner],
+                    old_directions[corner]);
+      append_change(static_cast<unsigned char>(
+                        std::clamp(std::lround(255 * (1 + decades / 6)), 0L, 255L)),
+                    sizes, new_sizes[corner], old_sizes[corner]);
     }
     for (const Bytes& of_corner : new_sizes)
       acting.push_back(static_cast<unsigned char>(of_corner.size()));

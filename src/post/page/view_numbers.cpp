@@ -96,18 +96,18 @@ std::uint32_t folded(std::int64_t value) {
 }
 
 std::vector<std::uint32_t> differences(const DigitColumn& column, const Guess& guess) {
-  std::vector<std::uint32_t> told(column.exact.size());
-  for (std::size_t i = 0; i < told.size(); ++i)
-    told[i] =
+  std::vector<std::uint32_t> residual(column.exact.size());
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] =
         folded(column.exact[i].digits - in_digits(guess(i), column.exact[i].power));
-  return told;
+  return residual;
 }
 
 TimeGuess better_guess(const DigitColumn& column) {
   const auto cost = [&](const TimeGuess& guess) {
     double bits = 0.0;
-    for (const std::uint32_t told : differences(column, guess.of(column)))
-      bits += std::log2(1.0 + told);
+    for (const std::uint32_t residual : differences(column, guess.of(column)))
+      bits += std::log2(1.0 + residual);
     return bits;
   };
   return {cost({true}) < cost({false})};

@@ -49,7 +49,7 @@ inline std::vector<std::string> names_of_quantities(bool unbalanced) {
 /// stored.
 struct ViewFormula {
   const char *quantity, *name;
-  std::array<const char*, 3> of;
+  std::array<const char*, 3> operands;
 };
 inline constexpr std::array view_formulas = {
     ViewFormula{"x", "moved_x", {"dx", nullptr, nullptr}},

@@ -63,11 +63,11 @@ UnitScale UnitScale::between(const Units& from, const Units& to) {
           ratio(quantities::known_times(), from.time, to.time)};
 }
 
-std::string time_text(double time, std::optional<double> asked,
+std::string time_text(double time, std::optional<double> requested,
                       const std::optional<Units>& units) {
   const std::string unit = units ? " " + unit_text({0, 0, 1, "s", ""}, units) : "";
   const std::string shown = fmt::format("{:.4g}{}", time, unit);
-  const std::string wanted = fmt::format("{:.4g}{}", asked.value_or(time), unit);
+  const std::string wanted = fmt::format("{:.4g}{}", requested.value_or(time), unit);
   return "t = " + shown + (shown == wanted ? "" : ", nearest to " + wanted);
 }
 

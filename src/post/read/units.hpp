@@ -37,7 +37,7 @@ std::string unit_text(const Dimension& dimension, const std::optional<Units>& un
 
 /// Returns "t = 0.3 s", or "t = 0.3 s, nearest to 0.32 s" if the time asked for is
 /// another one when both are written with four digits.
-std::string time_text(double time, std::optional<double> asked,
+std::string time_text(double time, std::optional<double> requested,
                       const std::optional<Units>& units);
 
 }  // namespace blocks::post

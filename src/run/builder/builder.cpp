@@ -383,12 +383,12 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
                     return std::holds_alternative<deck::Solve>(command.card) ||
                            std::holds_alternative<deck::Insitu>(command.card);
                   });
-  AssemblyCertificate told;
-  told.blocks = told.moved = model_.blocks.size();
-  told.removed = told.blocks - model_.blocks.count_present();
-  told.overlaps = overlaps;
-  certificate_ = std::make_shared<const AssemblyCertificate>(std::move(told));
-  fraction_told_ = safe_fraction(model_.settings);
+  AssemblyCertificate certificate;
+  certificate.blocks = certificate.moved = model_.blocks.size();
+  certificate.removed = certificate.blocks - model_.blocks.count_present();
+  certificate.overlaps = overlaps;
+  certificate_ = std::make_shared<const AssemblyCertificate>(std::move(certificate));
+  warned_fraction_ = safe_fraction(model_.settings);
   known_blocks_ = checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 

@@ -101,7 +101,7 @@ class BuilderState {
   std::optional<deck::Command> motion_;  ///< the last MOTION, CYCLE or SOLVE card
   int checked_blocks_;                   ///< blocks checked before an earlier motion
   int moved_blocks_;                     ///< blocks that have moved
-  double fraction_told_ = 0.0;           ///< safe FRACTION in the last warning
+  double warned_fraction_ = 0.0;         ///< safe FRACTION in the last warning
   std::optional<deck::Command>
       fraction_by_;                       ///< last FRACTION, DAMPING or LOCDAMP card
   std::optional<deck::Command> output_;   ///< OUTPUT card not checked yet

@@ -145,8 +145,9 @@ void Builder::check_output_blocks() {
 void Builder::check_history_blocks(const Command& command) {
   const Blocks& blocks = model_.blocks;
   const quantities::MaterialNumbers numbers = material_numbers(model_.settings);
-  deck::Diagnostics told("", "");  // faults of the card itself are reported before
-  for (const auto& [curve, where] : named_curves(command, told)) {
+  deck::Diagnostics card_faults("",
+                                "");  // faults of the card itself are reported before
+  for (const auto& [curve, where] : named_curves(command, card_faults)) {
     if (const quantities::OtherKind* kind = quantities::find_other(curve.quantity);
         model_.settings.joint_laws.empty() && !unread_.may_define_joint(0) &&
         ((kind != nullptr && kind->of_laws) || curve.joint > 0)) {
@@ -206,7 +207,8 @@ void Builder::check_fraction(const Command& command) {
   const Settings& settings = model_.settings;
   const double safe = safe_fraction(settings);
   const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
-  if (settings.fraction > safe && (fraction_told_ == 0.0 || safe < fraction_told_)) {
+  if (settings.fraction > safe &&
+      (warned_fraction_ == 0.0 || safe < warned_fraction_)) {
     const std::string given = fmt::format("FRACTION {:g} with {}", settings.fraction,
                                           damping_in_words(settings));
     const std::string hint = fmt::format(
@@ -225,7 +227,7 @@ void Builder::check_fraction(const Command& command) {
       diagnostics_.warning(to_blame.where, to_blame.name,
                            given + " may never let packed blocks come to rest", hint);
   }
-  fraction_told_ = safe;
+  warned_fraction_ = safe;
 }
 
 void Builder::check_damping(const Command& solve) {

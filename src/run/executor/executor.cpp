@@ -68,9 +68,9 @@ void Executor::set_card(long index) {
 output::Progress Executor::progress() const {
   output::Progress now = progress_;
   now.half_depth = half_depth_;
-  now.fast_told = watch_.told().fast;
-  now.flight_told = watch_.told().flight;
-  now.deep_told = watch_.told().deep;
+  now.fast_told = watch_.reported().fast;
+  now.flight_told = watch_.reported().flight;
+  now.deep_told = watch_.reported().deep;
   now.warnings.clear();
   for (const std::string& warning : warnings_)
     now.warnings += warning + '\n';
@@ -355,8 +355,8 @@ void Executor::crack() {
 bool Executor::passes_audit() {
   const AuditWatch::Verdict verdict =
       audit_.after(stepper_.complete(), stepper_.listed_pairs());
-  for (const auto* told : {&verdict.overlaps, &verdict.deep})
-    for (const std::string& line : *told)
+  for (const auto* lines : {&verdict.overlaps, &verdict.deep})
+    for (const std::string& line : *lines)
       files_.message(line);
   for (const std::string& line : verdict.faults)
     warn(line);

@@ -43,9 +43,9 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
       return pressed_for_time();
     }
     record_trial(model_, made->trial);
-    const std::string told = trial_line(made->trial);
-    files_.message(told);
-    console_.note(told);
+    const std::string line = trial_line(made->trial);
+    files_.message(line);
+    console_.note(line);
     keep_trial(base, *made);
     steps_made_ += made->trial.steps;
     save_checkpoint();

@@ -16,7 +16,7 @@ namespace {
 
 /// Whether the quantity is a number of things, which jumps from one step to the next.
 bool is_count(const Curve& curve) {
-  return curve.of == Curve::Of::model &&
+  return curve.subject == Curve::Subject::model &&
          (curve.quantity == "cracks" || curve.quantity == "blocks");
 }
 

@@ -61,14 +61,14 @@ std::span<const PlausibilityRule> plausibility_rules() { return rules; }
 void Plausibility::test(Moment moment, const Plan& plan, const deck::Command& at,
                         deck::Diagnostics& diagnostics) {
   for (const PlausibilityRule& rule : rules) {
-    if (rule.moment != moment || told_.contains(rule.name))
+    if (rule.moment != moment || reported_.contains(rule.name))
       continue;
     for (const Doubt& doubt : rule.doubts(plan)) {
       diagnostics.warning(doubt.where.value_or(at.where),
                           doubt.where ? doubt.card : at.name, doubt.message,
                           doubt.hint);
       if (rule.once)
-        told_.insert(rule.name);
+        reported_.insert(rule.name);
     }
   }
 }

@@ -70,11 +70,11 @@ class Plausibility {
   void test(Moment moment, const Plan& plan, const deck::Command& at,
             deck::Diagnostics& diagnostics);
   /// Leaves a rule out from now on.
-  void leave_out(std::string_view rule) { told_.insert(rule); }
+  void leave_out(std::string_view rule) { reported_.insert(rule); }
 
  private:
   /// Names of rules that warn once and have done so, or are left out.
-  std::set<std::string_view> told_;
+  std::set<std::string_view> reported_;
 };
 
 }  // namespace blocks::run

@@ -30,17 +30,18 @@ std::vector<std::string> profile_table(const dynamics::Profile& profile, double 
   const std::string title =
       fmt::format("time spent ({} thread{}):", threads, threads == 1 ? "" : "s");
   lines.push_back(fmt::format("{:<32}{:>9}{:>9}", title, "share", "serial"));
-  const auto& of = profile.seconds;
-  row("blocks", of[Profile::building], "", "built and checked");
+  const auto& phase_seconds = profile.seconds;
+  row("blocks", phase_seconds[Profile::building], "", "built and checked");
   call("search", Profile::search, fmt::format("{} lists", model.search.updates));
   call("contact decisions", Profile::decisions, "");
   call(
       "contact forces", Profile::forces,
       fmt::format("predicates evaluated in exact arithmetic: {}", profile.exact_calls));
   call("motion", Profile::motion, "with loads and planes");
-  row("output", of[Profile::output], "", "with the checkpoint");
-  const double told = std::accumulate(of.begin(), of.end(), 0.0);
-  row("the rest", std::max(0.0, seconds - told), "", "terminal, audit");
+  row("output", phase_seconds[Profile::output], "", "with the checkpoint");
+  const double listed =
+      std::accumulate(phase_seconds.begin(), phase_seconds.end(), 0.0);
+  row("the rest", std::max(0.0, seconds - listed), "", "terminal, audit");
   lines.push_back(fmt::format(
       "  serial, so one thread works and others would wait: {:.1f} % of the steps",
       percent(serial_of_steps, of_steps)));

@@ -24,10 +24,11 @@ LikelyList likely_list(const Blocks& blocks, double margin) {
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
       box.extend(Vec2(blocks.corner.col(c)));
   }
-  const int count = static_cast<int>(boxes.size()), asked = std::min(count, 64);
+  const int count = static_cast<int>(boxes.size()), sample_size = std::min(count, 64);
   LikelyList list;
-  for (int k = 0; k < asked; ++k) {
-    const auto own = static_cast<std::size_t>(static_cast<long>(k) * count / asked);
+  for (int k = 0; k < sample_size; ++k) {
+    const auto own =
+        static_cast<std::size_t>(static_cast<long>(k) * count / sample_size);
     Eigen::AlignedBox2d wide = boxes[own];
     const bool all = margin > 0.5 * wide.sizes().minCoeff();
     const double size = wide.volume();
@@ -38,7 +39,7 @@ LikelyList likely_list(const Blocks& blocks, double margin) {
     for (const Eigen::AlignedBox2d& box : boxes)
       if (box.volume() >= size && wide.intersects(box))
         near += box.volume() > size ? 1.0 : 0.5;
-    const double pairs = near * count / asked;
+    const double pairs = near * count / sample_size;
     list.pairs += pairs;
     list.bytes += pairs * (all ? bytes_of_all : bytes_of_touching);
   }

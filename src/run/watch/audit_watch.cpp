@@ -94,7 +94,7 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
   for (const auto& excess : found.excess) {
     const AuditedOverlap here = record(excess);
     const auto [at, fresh] =
-        told_.try_emplace({excess.first, excess.second}, totals_.excess.size());
+        reported_.try_emplace({excess.first, excess.second}, totals_.excess.size());
     if (fresh) {
       totals_.excess.push_back(here);
       verdict.overlaps.push_back(fmt::format("at time {:g} (step {}) audit: {}", time,
@@ -122,7 +122,7 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
   for (const auto& deep : found.deep) {
     const AuditedContact here = record_contact(deep);
     const auto [at, fresh] =
-        told_deep_.try_emplace({deep.corner, deep.edge}, totals_.deep.size());
+        reported_deep_.try_emplace({deep.corner, deep.edge}, totals_.deep.size());
     if (fresh) {
       totals_.deep.push_back(here);
       verdict.deep.push_back(fmt::format("at time {:g} (step {}) audit: {}", time, step,

@@ -43,8 +43,9 @@ class AuditWatch {
   std::vector<audit::HeldContact> held_;
   double left_ = 0.0;  ///< [L] distance corners may move before the next search
   AuditTotals totals_;
-  std::map<std::pair<int, int>, std::size_t> told_;       ///< index into totals_.excess
-  std::map<std::pair<int, int>, std::size_t> told_deep_;  ///< index into totals_.deep
+  std::map<std::pair<int, int>, std::size_t> reported_;  ///< index into totals_.excess
+  std::map<std::pair<int, int>, std::size_t>
+      reported_deep_;  ///< index into totals_.deep
 };
 
 }  // namespace blocks::run

@@ -43,13 +43,13 @@ std::string crack_line(const CrackRecord& crack) {
 
 CrackNews CrackWatch::after(const Model& model) {
   CrackNews news;
-  for (; cracks_told_ < model.cracks.size(); ++cracks_told_)
-    news.cracks.push_back(crack_line(model.cracks[cracks_told_]));
-  if (model.crack_refusals.size() == refusals_told_.size())
+  for (; reported_cracks_ < model.cracks.size(); ++reported_cracks_)
+    news.cracks.push_back(crack_line(model.cracks[reported_cracks_]));
+  if (model.crack_refusals.size() == reported_refusals_.size())
     return news;
   for (int i = 0; i < crack_refusals; ++i) {
     const auto why = static_cast<CrackRefusal>(i);
-    if (count_refused(refusals_told_, why) > 0 ||
+    if (count_refused(reported_refusals_, why) > 0 ||
         count_refused(model.crack_refusals, why) == 0)
       continue;
     const auto first =
@@ -61,7 +61,7 @@ CrackNews CrackWatch::after(const Model& model) {
                                         model.time, model.steps, first->block + 1,
                                         describe(why), advice(why)));
   }
-  refusals_told_ = model.crack_refusals;
+  reported_refusals_ = model.crack_refusals;
   return news;
 }
 

@@ -20,14 +20,15 @@ class CrackWatch {
   CrackWatch() = default;
   /// For a resumed run: what the model records counts as told.
   explicit CrackWatch(const Model& model)
-      : cracks_told_(model.cracks.size()), refusals_told_(model.crack_refusals) {}
+      : reported_cracks_(model.cracks.size()),
+        reported_refusals_(model.crack_refusals) {}
 
   /// Returns the new cracks, and one warning for each new reason of a refusal.
   CrackNews after(const Model& model);
 
  private:
-  std::size_t cracks_told_ = 0;
-  std::vector<RefusedCrack> refusals_told_;
+  std::size_t reported_cracks_ = 0;
+  std::vector<RefusedCrack> reported_refusals_;
 };
 
 /// Returns three lines on one crack, of at most 132 columns: "at time 0.00057 (step 60)

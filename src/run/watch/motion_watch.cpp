@@ -63,46 +63,46 @@ std::string words(const Model& model, const Contact& deep) {
 
 std::vector<std::string> MotionWatch::after(const Model& model,
                                             const dynamics::StepResult& moved) {
-  std::vector<std::string> told;
+  std::vector<std::string> warnings;
   const double tolerance = model.settings.contact_tolerance;
-  if (moved.largest > tolerance && !told_.fast) {
-    told_.fast = true;
-    told.push_back(fmt::format(
+  if (moved.largest > tolerance && !reported_.fast) {
+    reported_.fast = true;
+    warnings.push_back(fmt::format(
         "block {} moved a corner by {:.3g} in one step at time {:g}, more than "
         "ctol {:g}: contacts may be found late; lower FRACTION or raise ctol",
         moved.block + 1, moved.largest, model.time, tolerance));
   }
-  for (; exits_told_ < model.exits.size(); ++exits_told_) {
-    const DomainExit& exit = model.exits[exits_told_];
-    told.push_back(
+  for (; reported_exits_ < model.exits.size(); ++reported_exits_) {
+    const DomainExit& exit = model.exits[reported_exits_];
+    warnings.push_back(
         fmt::format("block {} left the domain at time {:g} and is fixed where it is",
                     exit.block + 1, exit.time));
   }
-  return told;
+  return warnings;
 }
 
 bool MotionWatch::is_look_due(const Model& model) const {
   constexpr long steps_between = 256;  // a look costs about as much as a step
-  return (!told_.deep || has_flights(model)) && model.steps % steps_between == 0;
+  return (!reported_.deep || has_flights(model)) && model.steps % steps_between == 0;
 }
 
 std::vector<std::string> MotionWatch::look(const Model& model) {
   std::vector<std::string> found;
   if (has_flights(model))
     if (std::string flight = flight_of(model); !flight.empty()) {
-      told_.flight = true;
+      reported_.flight = true;
       found.push_back(std::move(flight));
     }
-  if (!told_.deep)
+  if (!reported_.deep)
     if (const auto deep = find_deep_contact(model)) {
-      told_.deep = true;
+      reported_.deep = true;
       found.push_back(words(model, *deep));
     }
   return found;
 }
 
 bool MotionWatch::has_flights(const Model& model) const {
-  return model.settings.local_damping > 0.0 && !told_.flight;
+  return model.settings.local_damping > 0.0 && !reported_.flight;
 }
 
 }  // namespace blocks::run

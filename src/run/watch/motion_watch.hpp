@@ -11,7 +11,7 @@
 namespace blocks::run {
 
 /// The warnings of a MotionWatch that are given once.
-struct ToldWarnings {
+struct ReportedWarnings {
   bool fast = false, flight = false, deep = false;
 };
 
@@ -22,8 +22,8 @@ class MotionWatch {
  public:
   MotionWatch() = default;
   /// For a resumed run. Earlier domain exits count as reported.
-  explicit MotionWatch(const Model& model, const ToldWarnings& told = {})
-      : exits_told_(model.exits.size()), told_(told) {}
+  explicit MotionWatch(const Model& model, const ReportedWarnings& reported = {})
+      : reported_exits_(model.exits.size()), reported_(reported) {}
 
   /// Returns the new warnings after a step or, with moved = {}, after
   /// dynamics::prepare().
@@ -37,13 +37,13 @@ class MotionWatch {
   /// explains (find_deep_contact). The model must have been read.
   std::vector<std::string> look(const Model& model);
 
-  const ToldWarnings& told() const { return told_; }
+  const ReportedWarnings& reported() const { return reported_; }
 
  private:
   bool has_flights(const Model& model) const;
 
-  std::size_t exits_told_ = 0;
-  ToldWarnings told_;
+  std::size_t reported_exits_ = 0;
+  ReportedWarnings reported_;
 };
 
 }  // namespace blocks::run

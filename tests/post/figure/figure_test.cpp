@@ -144,7 +144,7 @@ std::string in_print(FigureOptions options) {
 TEST(Figure, InPrintWithoutATitleHasNoLineOfTimeAndStep) {
   FigureOptions options;
   EXPECT_THAT(in_print(options), HasSubstr("step 0"));
-  options.asked_times = {1.43};
+  options.requested_times = {1.43};
   EXPECT_THAT(in_print(options), HasSubstr(">t = 0    step"))
       << "the time asked for is printed on the terminal";
   options.title = "";
