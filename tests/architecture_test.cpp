@@ -103,6 +103,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "dynamics/search",
                                             "dynamics/support",
                                             "exchange",
+                                            "files",
                                             "geometry",
                                             "geometry/exact",
                                             "joints",
@@ -173,6 +174,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
   const std::map<std::string, std::set<std::string>> may = {
       {"geometry", {"geometry"}},
       {"text", {"text"}},
+      {"files", {"files"}},
       {"deck", {"deck", "geometry"}},
       {"exchange", {"exchange", "geometry"}},
       {"joints", {"joints", "draw", "text", "geometry"}},
@@ -180,23 +182,23 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"dynamics", {"dynamics", "model", "geometry"}},
       {"audit", {"audit", "model", "geometry"}},
       {"quantities", {"quantities", "model", "geometry"}},
-      {"output", {"output", "quantities", "model", "geometry"}},
-      {"draw", {"draw", "output"}},
-      {"post", {"post", "draw", "output", "quantities", "geometry"}},
+      {"output", {"output", "files", "quantities", "model", "geometry"}},
+      {"draw", {"draw", "files"}},
+      {"post", {"post", "draw", "files", "output", "quantities", "geometry"}},
       {"study", {"study", "dynamics", "draw", "text", "model", "geometry"}},
       {"run",
-       {"run", "deck", "dynamics", "audit", "exchange", "quantities", "output", "model",
-        "geometry"}},
+       {"run", "deck", "dynamics", "audit", "exchange", "quantities", "output", "files",
+        "model", "geometry"}},
       {"sweep",
-       {"sweep", "study", "run", "text", "deck", "output", "quantities", "model",
+       {"sweep", "study", "run", "text", "files", "deck", "quantities", "model",
         "geometry"}},
       {"report",
-       {"report", "sweep", "post", "draw", "run", "quantities", "output", "text",
-        "deck"}},
+       {"report", "sweep", "post", "draw", "run", "quantities", "output", "files",
+        "text", "deck"}},
       {"library",
-       {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
+       {"library", "run", "deck", "dynamics", "output", "files", "model", "geometry"}},
       {"python",
-       {"library", "study", "post", "draw", "run", "deck", "quantities", "output",
+       {"library", "study", "post", "draw", "run", "deck", "quantities", "files",
         "model", "geometry"}},
   };
   for (const Include& include : includes()) {
@@ -353,22 +355,11 @@ TEST(Architecture, PostIncludesOnlyShapesOfGeometry) {
     }
 }
 
-// Pages are files.
-TEST(Architecture, DrawIncludesOnlyFileToolsOfOutput) {
-  for (const Include& include : includes())
-    if (top_of(include) == "draw" && folder_of(include.target) == "output") {
-      EXPECT_EQ(include.target, "output/file_tools.hpp") << include.file;
-    }
-}
-
 // Figures are drawn from results files.
 TEST(Architecture, PostIncludesOnlyResultsOfOutput) {
   for (const Include& include : includes())
     if (top_of(include) == "post" && folder_of(include.target) == "output") {
-      EXPECT_TRUE(include.target.starts_with("output/results") ||
-                  include.target == "output/file_tools.hpp" ||
-                  include.target == "output/hdf5_handle.hpp" ||
-                  include.target == "output/name_lock.hpp")
+      EXPECT_TRUE(include.target.starts_with("output/results"))
           << include.file << " includes " << include.target;
     }
 }

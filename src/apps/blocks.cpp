@@ -24,6 +24,8 @@
 #include "cracks_command.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "export_command.hpp"
+#include "files/file_access_guard.hpp"
+#include "files/file_error.hpp"
 #include "fos_command.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "help_page.hpp"
@@ -32,8 +34,6 @@
 #include "joints_command.hpp"
 #include "manual_command.hpp"
 #include "option_checks.hpp"
-#include "output/file_access_guard.hpp"
-#include "output/results.hpp"
 #include "plot_command.hpp"
 #include "report_command.hpp"
 #include "run/run.hpp"
@@ -364,7 +364,7 @@ int main(int argc, char** argv) {
   use_bundled_fonts();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
 #if !defined(BLOCKS_SANITIZED)    // a sanitizer reports more
-  output::tell_crashes_of_files(run::file_error);
+  files::tell_crashes_of_files(run::file_error);
 #endif
   try {
     dynamics::kernels();
@@ -374,7 +374,7 @@ int main(int argc, char** argv) {
   }
   try {
     return end_standard_output(dispatch(words_of(argc, argv)));
-  } catch (const output::FileError& error) {
+  } catch (const files::FileError& error) {
     tell("error", error.what());
     return run::file_error;
   } catch (const std::bad_alloc&) {

@@ -17,7 +17,7 @@ struct CardsOptions {
 
 void add_cards_options(CLI::App& command, CardsOptions& options);
 
-/// Returns an exit code of run/run.hpp. Throws output::FileError if the deck cannot be
+/// Returns an exit code of run/run.hpp. Throws files::FileError if the deck cannot be
 /// read.
 int cards(const CardsOptions& options);
 

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "output/check_outputs.hpp"
+#include "files/check_outputs.hpp"
 #include "post/figure/figure.hpp"
 #include "run/reports/geometry_report.hpp"
 
@@ -103,7 +103,7 @@ void add_geometry_options(CLI::App& command, GeometryOptions& options) {
 int check(const run::RunOptions& options, const GeometryOptions& geometry) {
   if (!geometry.report)
     return run::check_deck(options);
-  output::check_outputs({geometry.plot});
+  files::check_outputs({geometry.plot});
   const auto checked = run::build_checked(options);
   if (checked.code != run::done)
     return checked.code;

@@ -10,12 +10,12 @@
 
 #include "draw/number_text.hpp"
 #include "fault.hpp"
-#include "output/check_outputs.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "post/chart/cracks_figure.hpp"
 #include "post/export/cracks_table.hpp"
 #include "post/read/results_reader.hpp"
 #include "run/run.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -47,10 +47,10 @@ void check_crack_outputs(const CracksOptions& options) {
       throw std::runtime_error(
           "the output's name must end in .csv, .json, .png, .svg or .pdf, found '" +
           path + "'");
-    if (same_file(path, options.file))
+    if (files::same_file(path, options.file))
       throw std::runtime_error("-o " + path + " would overwrite the results");
   }
-  output::check_outputs(options.outputs);
+  files::check_outputs(options.outputs);
 }
 
 /// Returns the line below the title of the table: "3 cracks (2 by stress, 1 by point
@@ -89,9 +89,9 @@ void write_cracks(const std::string& path, const ShownCracks& shown,
                   const CracksOptions& options) {
   const auto ending = std::filesystem::path(path).extension();
   if (ending == ".csv") {
-    write_text_file(path, post::csv_text(shown.table()));
+    files::replace_file_keeping_older(path, post::csv_text(shown.table()));
   } else if (ending == ".json") {
-    write_text_file(path, post::json_text(shown.table()));
+    files::replace_file_keeping_older(path, post::json_text(shown.table()));
   } else {
     post::FigureOptions figure;
     figure.page = options.size.page();

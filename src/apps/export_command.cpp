@@ -15,10 +15,10 @@
 #include "draw/number_text.hpp"
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "geometry/polygon.hpp"
 #include "model/model.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
 #include "post/export/time_series.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "post/read/quantity.hpp"
@@ -26,7 +26,6 @@
 #include "post/read/results_reader.hpp"
 #include "quantities/units.hpp"
 #include "run/support/interrupt.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -269,10 +268,10 @@ int export_blocks(ExportOptions options) {
                     ".geojson, .wkt, .dxf, .svg, .msh, .txt, .pvd or .csv, or "
                     "--format",
                     options.output));
-  if (same_file(input, options.output))
+  if (files::same_file(input, options.output))
     return refuse(run::usage_error,
                   input + " would be overwritten: choose another -o NAME");
-  output::check_outputs({options.output});
+  files::check_outputs({options.output});
 
   Scene scene;
   if (is_results(input)) {
@@ -329,7 +328,7 @@ int export_blocks(ExportOptions options) {
                   fmt::format("{}\n  hint: .geojson, .wkt and .txt accept any outline",
                               fault.what()));
   }
-  write_text_file(options.output, text);
+  files::replace_file_keeping_older(options.output, text);
   if (!options.input.quiet) {
     fmt::print("{}: {}", options.output, draw::counted(scene.blocks.size(), "block"));
     if (scene.time)

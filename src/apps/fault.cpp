@@ -4,14 +4,14 @@
 
 #include <cstdio>
 
-#include "output/results.hpp"
+#include "files/file_error.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {
 
 int tell_fault(const std::runtime_error& error) {
   fmt::print(stderr, "blocks: error: {}\n", error.what());
-  const bool of_a_file = dynamic_cast<const output::FileError*>(&error) != nullptr;
+  const bool of_a_file = dynamic_cast<const files::FileError*>(&error) != nullptr;
   return of_a_file ? run::file_error : run::usage_error;
 }
 

@@ -6,7 +6,7 @@
 namespace blocks::apps {
 
 /// Prints the message. Returns the exit code: that of a file error for
-/// output::FileError, otherwise that of a usage error.
+/// files::FileError, otherwise that of a usage error.
 int tell_fault(const std::runtime_error& error);
 
 }  // namespace blocks::apps

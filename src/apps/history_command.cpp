@@ -12,17 +12,16 @@
 
 #include "draw/chart/line_chart.hpp"
 #include "draw/number_text.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "history_lines.hpp"
 #include "open_run.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
 #include "post/chart/history.hpp"
 #include "post/chart/profile.hpp"
 #include "post/export/number_table.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "quoted_list.hpp"
 #include "run/run.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -240,15 +239,15 @@ void check_names(const std::vector<std::string>& outputs) {
           "the output's name must end in .csv, .json, .png, .svg or .pdf, found '" +
           path + "'");
   }
-  output::check_outputs(outputs);
+  files::check_outputs(outputs);
 }
 
 void write(const std::string& path, const Answer& answer, const draw::PageSize& page) {
   const std::string ending = fs::path(path).extension().string();
   if (ending == ".csv")
-    write_text_file(path, post::csv_text(answer.runs));
+    files::replace_file_keeping_older(path, post::csv_text(answer.runs));
   else if (ending == ".json")
-    write_text_file(path, post::json_text(answer.runs));
+    files::replace_file_keeping_older(path, post::json_text(answer.runs));
   else
     draw::draw_chart(path, answer.chart, page);
   fmt::print("{}\n", path);

@@ -15,11 +15,11 @@
 #include "exchange/forms.hpp"
 #include "exchange/mesh_writer.hpp"
 #include "exchange/soundness_text.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "import_map.hpp"
-#include "output/check_outputs.hpp"
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -188,7 +188,8 @@ int import_blocks(ImportOptions options) {
     options.output = stem_of(options.file) + ".mesh.txt";
   const std::string deck = deck_beside(options.output);
   const std::string mesh_name = fs::path(options.output).filename().string();
-  if (same_file(options.file, options.output) || same_file(options.file, deck))
+  if (files::same_file(options.file, options.output) ||
+      files::same_file(options.file, deck))
     return usage(options.file + " would be overwritten: choose another -o NAME");
   if (options.deck && options.output == deck)
     return usage("-o names the mesh, and --deck writes " + deck +
@@ -198,7 +199,7 @@ int import_blocks(ImportOptions options) {
     return usage("the name " + mesh_name +
                  " cannot be written in a deck: choose another -o NAME");
   if (!options.report_only)
-    output::check_outputs({options.output, options.deck ? deck : ""});
+    files::check_outputs({options.output, options.deck ? deck : ""});
 
   if (const auto foreign = exchange::foreign_form(text);
       !form && foreign && foreign->is_known) {
@@ -274,9 +275,10 @@ int import_blocks(ImportOptions options) {
     return run::deck_error;
   }
   const std::string wrote = fmt::format("From {}: {}.", name, file.found);
-  write_text_file(options.output, exchange::write_mesh(file.outlines, wrote));
+  files::replace_file_keeping_older(options.output,
+                                    exchange::write_mesh(file.outlines, wrote));
   if (options.deck)
-    write_text_file(deck, skeleton);
+    files::replace_file_keeping_older(deck, skeleton);
   if (!options.quiet)
     fmt::print("written: {}{}\n", options.output, options.deck ? ", " + deck : "");
   return run::done;

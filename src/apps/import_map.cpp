@@ -11,11 +11,11 @@
 #include "exchange/deck_skeleton.hpp"
 #include "exchange/dxf_reader.hpp"
 #include "exchange/trace_reader.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "geometry/polygon.hpp"
-#include "output/check_outputs.hpp"
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -303,11 +303,11 @@ int import_map(ImportOptions options) {
                     "rename the file");
   if (options.output.empty())
     options.output = fs::path(options.file).stem().string() + ".deck";
-  if (same_file(options.file, options.output))
+  if (files::same_file(options.file, options.output))
     return refuse(run::usage_error, options.file + " would be overwritten",
                   "choose another -o NAME");
   if (!options.report_only)
-    output::check_outputs({options.output});
+    files::check_outputs({options.output});
   const std::string text = run::read_deck(options.file);
   const TraceFile file = exchange::read_traces(text);
   fmt::print(stderr, "{}",
@@ -368,10 +368,11 @@ int import_map(ImportOptions options) {
                {path_from(folder, options.file),
                 options.outline.empty() ? "" : path_from(folder, options.outline)});
   try {
-    write_text_file(options.output, exchange::write_deck_skeleton(
-                                        *blocks, {},
-                                        {fs::path(options.file).filename().string(),
-                                         cards, file.unit}));
+    files::replace_file_keeping_older(
+        options.output,
+        exchange::write_deck_skeleton(
+            *blocks, {},
+            {fs::path(options.file).filename().string(), cards, file.unit}));
   } catch (const std::range_error& fault) {
     return refuse(run::deck_error,
                   fmt::format("{}: {}; nothing written", options.file, fault.what()),

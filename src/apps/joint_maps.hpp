@@ -30,7 +30,7 @@ struct ReadMaps {
 /// Reads the maps in the order of the files. A deck gives one map for each group
 /// OUTLINE ... CUT. Loose ends of trace files within `snap` are joined; those of decks
 /// are joined as their TRACES cards say. Prints errors and warnings. Throws
-/// output::FileError if a file cannot be read.
+/// files::FileError if a file cannot be read.
 ReadMaps read_maps(const MapInput& input);
 
 }  // namespace blocks::apps

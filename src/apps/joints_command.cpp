@@ -10,13 +10,13 @@
 
 #include "draw/number_text.hpp"
 #include "fault.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "joints/fit_report.hpp"
 #include "joints/map_figure.hpp"
 #include "joints/statistics.hpp"
 #include "option_checks.hpp"
-#include "output/check_outputs.hpp"
 #include "run/run.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -43,9 +43,9 @@ void check_joint_outputs(const JointsOptions& options,
   for (const std::string& path : outputs)
     for (const auto* inputs : {&options.input.files, &options.input.outlines})
       for (const std::string& input : *inputs)
-        if (same_file(path, input))
+        if (files::same_file(path, input))
           throw std::runtime_error("-o " + path + " would overwrite an input");
-  output::check_outputs(outputs);
+  files::check_outputs(outputs);
 }
 
 /// Checks that names end as they must.
@@ -185,7 +185,7 @@ int joint_statistics(const JointsOptions& options) {
     }
     for (const std::string& path : options.outputs) {
       if (std::filesystem::path(path).extension() == ".json")
-        write_text_file(path, joints::statistics_json(maps));
+        files::replace_file_keeping_older(path, joints::statistics_json(maps));
       else
         joints::draw_map_figure(path, maps, page);
       fmt::print("{}\n", path);
@@ -229,7 +229,7 @@ int fit_joints(const JointsOptions& options) {
           "a set needs at least three traces; give a larger map",
           map.name, draw::counted(network.pieces.size(), "part"),
           network.pieces.size() == 1 ? "s" : ""));
-    write_text_file(deck, joints::fit_deck(fit, map, network));
+    files::replace_file_keeping_older(deck, joints::fit_deck(fit, map, network));
     std::cout << (options.json ? joints::fit_json(fit, map)
                                : joints::fit_text(fit) + "written: " + deck + "\n");
     return static_cast<int>(run::done);

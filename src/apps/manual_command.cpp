@@ -5,9 +5,9 @@
 
 #include "bash_completion.hpp"
 #include "deck/cards_manual.hpp"
+#include "files/file_tools.hpp"
 #include "program_manual.hpp"
 #include "run/run.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 
@@ -27,7 +27,7 @@ int manual(const CLI::App& program, const ManualOptions& options) {
   if (options.output.empty())
     std::cout << text;
   else
-    write_text_file(options.output, text);
+    files::replace_file_keeping_older(options.output, text);
   return run::done;
 }
 

@@ -14,8 +14,7 @@
 #include "dblock_plots.hpp"
 #include "deck/free_field.hpp"
 #include "draw/number_text.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
+#include "files/check_outputs.hpp"
 #include "plot_frames.hpp"
 #include "post/chart/joints_figure.hpp"
 #include "post/figure/figure_scales.hpp"
@@ -312,7 +311,7 @@ int plot(PlotOptions options) {
       options.output = std::filesystem::path(options.file).stem().string() +
                        (options.joints ? "_joints.png" : ".png");
     check_ending(options.output);
-    output::check_outputs({options.output});
+    files::check_outputs({options.output});
     take(options, options.figure);
     if (options.joints)
       check_options_of_joints(options);

@@ -9,15 +9,14 @@
 #include <iostream>
 
 #include "common_options.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "quantities/quantity.hpp"
 #include "quoted_list.hpp"
 #include "report/charts.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
 #include "run/run.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -87,7 +86,7 @@ void check_names(const ReportOptions& options) {
                                options.runs + "'");
     all.push_back(options.runs);
   }
-  output::check_outputs(all);
+  files::check_outputs(all);
 }
 
 /// Returns the folder of a file; "." for one in this folder.
@@ -103,8 +102,9 @@ void write_page(const std::string& path, const report::Ensemble& ensemble,
       ensemble, analysis, typical, static_cast<std::size_t>(options.pages));
   if (!runs.fault.empty())
     fmt::print(stderr, "blocks: warning: runs have no pages: {}\n", runs.fault);
-  write_text_file(path, report::report_page(ensemble, analysis, typical, runs,
-                                            {options.title, folder_of(path)}));
+  files::replace_file_keeping_older(
+      path, report::report_page(ensemble, analysis, typical, runs,
+                                {options.title, folder_of(path)}));
 }
 
 /// Writes one file for each chart: "trough.pdf" becomes "trough-profile.pdf".
@@ -214,13 +214,14 @@ int report(ReportOptions options) {
       if (is_page(path))
         write_page(path, ensemble, analysis, options);
       else
-        write_text_file(path, ending_of(path) == ".csv"
-                                  ? report::statistics_csv(ensemble, analysis)
-                                  : report::statistics_json(ensemble, analysis));
+        files::replace_file_keeping_older(
+            path, ending_of(path) == ".csv"
+                      ? report::statistics_csv(ensemble, analysis)
+                      : report::statistics_json(ensemble, analysis));
       fmt::print("{}\n", path);
     }
     if (!options.runs.empty()) {
-      write_text_file(options.runs, report::runs_csv(ensemble));
+      files::replace_file_keeping_older(options.runs, report::runs_csv(ensemble));
       fmt::print("{}\n", options.runs);
     }
     return run::done;

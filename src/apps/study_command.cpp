@@ -7,15 +7,13 @@
 #include <filesystem>
 
 #include "deck/suggest.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "option_checks.hpp"
-#include "output/check_outputs.hpp"
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
 #include "run/run.hpp"
 #include "study/figure.hpp"
 #include "study/report.hpp"
 #include "sweep/study_tables.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -93,15 +91,14 @@ void check_files(const StudyOptions& options) {
   for (const std::string& name :
        {options.csv, options.json, options.figure, options.deck})
     if (name == "-")
-      throw output::FileError(
+      throw files::FileError(
           "the table is printed anyway; give the name of a file, not '-'");
-  output::check_outputs({options.csv, options.json, options.figure, options.deck});
+  files::check_outputs({options.csv, options.json, options.figure, options.deck});
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
       ending != ".pdf")
-    throw output::FileError(
-        "the figure's name must end in .png, .svg or .pdf, found '" + options.figure +
-        "'");
+    throw files::FileError("the figure's name must end in .png, .svg or .pdf, found '" +
+                           options.figure + "'");
 }
 
 /// Returns the rules that every run uses; --gate checks these.
@@ -187,9 +184,9 @@ bool chooses_frames(const StudyOptions& options) {
 void save(const StudyOptions& options, const std::vector<study::Study>& studies) {
   const auto write = [&](const std::string& path, const std::string& text) {
     if (studies.size() == 1)
-      output::replace_file_keeping_older(path, text);
+      files::replace_file_keeping_older(path, text);
     else
-      output::replace_file(path, text);
+      files::replace_file(path, text);
   };
   if (!options.csv.empty())
     write(options.csv, study::csv(studies));
@@ -262,7 +259,7 @@ int show_sweep(const StudyOptions& options) {
       save(head, done);
     }
     return finish(options, done, code);
-  } catch (const output::FileError& error) {
+  } catch (const files::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return run::file_error;
   }
@@ -370,7 +367,8 @@ int study_contacts(const StudyOptions& options) {
   if (code != run::done)
     return code;
   if (!options.deck.empty())
-    write_text_file(options.deck, study::first_deck(scenes.front(), choice));
+    files::replace_file_keeping_older(options.deck,
+                                      study::first_deck(scenes.front(), choice));
   std::vector<study::Study> studies;
   for (study::Scene& scene : scenes) {
     studies.push_back(study::run_study(std::move(scene), choice));

@@ -9,10 +9,9 @@
 #include <thread>
 
 #include "fault.hpp"
+#include "files/file_tools.hpp"
+#include "files/name_lock.hpp"
 #include "option_checks.hpp"
-#include "output/file_tools.hpp"
-#include "output/name_lock.hpp"
-#include "output/results.hpp"
 #include "run/run.hpp"
 #include "run/support/shell_word.hpp"
 #include "sweep/slurm_engine.hpp"
@@ -44,15 +43,15 @@ std::string default_folder(const std::string& deck) {
 }
 
 /// Locks the plan of a folder. If another sweep has begun there, waits until its plan
-/// is written. Throws output::FileError, which names its process.
-std::unique_ptr<output::NameLock> lock_plan(const std::string& folder) {
+/// is written. Throws files::FileError, which names its process.
+std::unique_ptr<files::NameLock> lock_plan(const std::string& folder) {
   using namespace std::chrono_literals;
   const std::string path = sweep::plan_path(folder);
-  output::create_folder_of(path);
+  files::create_folder_of(path);
   for (int tries = 0;; ++tries) {
     try {
-      return std::make_unique<output::NameLock>(path, path);
-    } catch (const output::FileError&) {
+      return std::make_unique<files::NameLock>(path, path);
+    } catch (const files::FileError&) {
       if (tries == 20)
         throw;
     }

@@ -8,11 +8,10 @@
 #include <filesystem>
 
 #include "common_options.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
+#include "files/check_outputs.hpp"
+#include "files/file_tools.hpp"
 #include "post/page/view_page.hpp"
 #include "run/run.hpp"
-#include "text_file.hpp"
 
 namespace blocks::apps {
 
@@ -36,19 +35,19 @@ int view(ViewOptions options) {
     if (ending != ".html" && ending != ".htm")
       throw std::runtime_error("the page's name must end in .html, found '" +
                                options.output + "'");
-    if (same_file(options.file, options.output))
+    if (files::same_file(options.file, options.output))
       throw std::runtime_error(options.file +
                                " would be overwritten: choose another -o NAME");
     if (options.mirror && !std::isfinite(*options.mirror))
       throw std::runtime_error(
           "--mirror needs the x of the symmetry plane of a half model");
-    output::check_outputs({options.output});
+    files::check_outputs({options.output});
     post::ResultsReader results(options.file);
     if (!options.units.empty())
       results.show_in(post::parse_units(options.units));
     const std::string page =
         post::view_page(post::view_data(results, options.every, options.mirror));
-    write_text_file(options.output, page);
+    files::replace_file_keeping_older(options.output, page);
     const auto size = static_cast<double>(page.size());
     fmt::print("{}: {}, open it in a browser\n", options.output,
                size < 1e6 ? fmt::format("{:.0f} kB", size / 1e3)

@@ -11,6 +11,7 @@
 #include "geometry/polygon.hpp"
 #include <algorithm>
 
+#include "files/file_error.hpp"
 #include "output/checkpoint.hpp"
 #include "post/read/results_nearby.hpp"
 #include "post/read/results_reader.hpp"
@@ -18,14 +19,14 @@
 namespace blocks::apps {
 namespace {
 
-/// Returns the first bytes of a file. Throws output::FileError.
+/// Returns the first bytes of a file. Throws files::FileError.
 std::string head_of(const std::string& path) {
   if (!std::filesystem::is_regular_file(path) && std::filesystem::exists(path))
-    throw output::FileError("cannot read " + path + ": it is not a regular file");
+    throw files::FileError("cannot read " + path + ": it is not a regular file");
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw output::FileError("cannot read " + path + ": " +
-                            std::generic_category().message(errno));
+    throw files::FileError("cannot read " + path + ": " +
+                           std::generic_category().message(errno));
   std::string head(8, '\0');
   in.read(head.data(), 8);
   return head;
@@ -89,9 +90,9 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
   try {
     blocks.append(outlines);
   } catch (const std::invalid_argument& fault) {
-    throw output::FileError(fmt::format("cannot read {}: Points of frame {} are no "
-                                        "blocks: {}",
-                                        path, scene.frame, fault.what()));
+    throw files::FileError(fmt::format("cannot read {}: Points of frame {} are no "
+                                       "blocks: {}",
+                                       path, scene.frame, fault.what()));
   }
   // copied exactly as stored; append would round them again
   for (int b = 0; b < blocks.size(); ++b) {
@@ -168,9 +169,9 @@ WhyScene read_scene(const std::string& path, const std::optional<double>& time) 
     return from_results(path, time);
   if (head == "BLOCKS c")
     return from_checkpoint(path);
-  throw output::FileError("cannot read " + path +
-                          ": it is neither results (NAME.vtkhdf) nor a checkpoint "
-                          "(NAME.ckpt.h5) of BLOCKS");
+  throw files::FileError("cannot read " + path +
+                         ": it is neither results (NAME.vtkhdf) nor a checkpoint "
+                         "(NAME.ckpt.h5) of BLOCKS");
 }
 
 }  // namespace blocks::apps

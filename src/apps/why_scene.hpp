@@ -33,11 +33,11 @@ struct WhyScene {
 std::string removal_text(const std::string& path, int block);
 
 /// Returns the first stored time with at least that many blocks. Returns nothing if
-/// there is none, or if the file is a checkpoint. Throws output::FileError.
+/// there is none, or if the file is a checkpoint. Throws files::FileError.
 std::optional<double> first_time_with(const std::string& path, int blocks);
 
 /// Reads a state. From results it reads the frame nearest to `time`, or the last one if
-/// `time` is empty; a checkpoint has one state. Throws output::FileError.
+/// `time` is empty; a checkpoint has one state. Throws files::FileError.
 WhyScene read_scene(const std::string& path, const std::optional<double>& time);
 
 }  // namespace blocks::apps

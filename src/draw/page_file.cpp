@@ -12,7 +12,7 @@
 
 #include "draw/png_resolution.hpp"
 #include "draw/svg_text.hpp"
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 
 namespace blocks::draw {
 namespace {
@@ -91,10 +91,10 @@ void write_page(const std::string& path, const PageSize& page, double height,
     const std::string bytes =
         page_bytes(ending, page, height,
                    is_scaled ? page.resolution() / points_per_inch : 1.0, draw);
-    output::replace_file_keeping_older(
+    files::replace_file_keeping_older(
         path, is_scaled ? with_resolution(bytes, page.resolution()) : bytes);
   } catch (const CairoFault& fault) {
-    throw output::FileError("cannot write " + path + ": " + fault.why);
+    throw files::FileError("cannot write " + path + ": " + fault.why);
   }
 }
 

@@ -13,7 +13,7 @@ namespace blocks::draw {
 /// Writes the file; it appears only when it is complete. Width and height are in pixels
 /// (PNG) or points (SVG, PDF). The extension gives the format. An older file is kept as
 /// NAME.bak. Throws std::runtime_error if the extension is unknown, and
-/// output::FileError if the file cannot be written.
+/// files::FileError if the file cannot be written.
 void write_page(const std::string& path, double width, double height,
                 const std::function<void(cairo_t*)>& draw);
 

@@ -12,7 +12,7 @@ namespace blocks::joints {
 
 /// Draws the maps one below the other to a PNG, SVG or PDF file, depending on the
 /// extension. Throws std::runtime_error if the page is too small or the extension is
-/// unknown, and output::FileError if the file cannot be written.
+/// unknown, and files::FileError if the file cannot be written.
 void draw_map_figure(const std::string& path, const std::vector<MapStatistics>& maps,
                      const draw::PageSize& page);
 

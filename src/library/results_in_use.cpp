@@ -3,6 +3,7 @@
 #include <mutex>
 #include <set>
 
+#include "files/file_error.hpp"
 #include "model/equilibrium.hpp"
 
 namespace blocks::library {
@@ -37,8 +38,8 @@ FileClaim::FileClaim(const std::string& path) : file_(file_of(path)) {
   Claims& all = claims();
   const std::lock_guard lock(all.guard);
   if (!all.files.insert(file_).second)
-    throw output::FileError("cannot write " + path +
-                            ": another Simulation writes its frames there");
+    throw files::FileError("cannot write " + path +
+                           ": another Simulation writes its frames there");
 }
 
 FileClaim::~FileClaim() {

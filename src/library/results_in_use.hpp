@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "output/name_lock.hpp"
+#include "files/name_lock.hpp"
 #include "output/results.hpp"
 
 namespace blocks::library {
@@ -21,7 +21,7 @@ std::string name_of(const std::string& path);
 /// Reserves a file for one writer during the lifetime of the object.
 class FileClaim {
  public:
-  /// Throws output::FileError if the file is already reserved.
+  /// Throws files::FileError if the file is already reserved.
   explicit FileClaim(const std::string& path);
   ~FileClaim();
   FileClaim(const FileClaim&) = delete;
@@ -33,7 +33,7 @@ class FileClaim {
 
 class ResultsInUse {
  public:
-  /// Throws output::FileError if another Simulation or program writes to the file, or
+  /// Throws files::FileError if another Simulation or program writes to the file, or
   /// if it cannot be written.
   ResultsInUse(const std::string& path, const output::RunIdentity& identity)
       : claim_(path), lock_(name_of(path), path), writer_(path, identity) {}
@@ -44,7 +44,7 @@ class ResultsInUse {
 
  private:
   FileClaim claim_;  ///< also where a file system has no locks
-  output::NameLock lock_;
+  files::NameLock lock_;
   output::ResultsWriter writer_;
   long written_changes_ = -1;
 };

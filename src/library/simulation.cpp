@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/file_tools.hpp"
 #include "library/simulation_state.hpp"
 #include "model/equilibrium.hpp"
 #include "output/checkpoint.hpp"
-#include "output/file_tools.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/support/deck_file.hpp"
 
@@ -205,7 +205,7 @@ void Simulation::write_checkpoint(const std::string& path) const {
   info.progress.overlaps = state_->overlaps;
   if (state_->checkpoints.insert(library::file_of(path)).second)
     for (const std::string& older : {path, path + ".prev"})
-      output::set_aside(older);
+      files::set_aside(older);
   output::write_checkpoint(path, state_->current(), info);
 }
 

@@ -11,11 +11,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "files/file_access_guard.hpp"
+#include "files/file_tools.hpp"
+#include "files/fnv1a.hpp"
+#include "files/hdf5_errors.hpp"
 #include "output/checkpoint_fields.hpp"
 #include "output/checkpoint_validation.hpp"
-#include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
-#include "output/results_errors.hpp"
 
 namespace blocks::output {
 namespace {
@@ -35,7 +37,7 @@ std::string seal(std::uint64_t bytes, const std::string& hash) {
 std::string seal_of(std::istream& file) {
   file.clear();
   file.seekg(seal_size);
-  Fnv1a hash;
+  files::Fnv1a hash;
   std::uint64_t bytes = 0;
   std::vector<char> buffer(std::size_t{1} << 20);
   while (file) {
@@ -65,7 +67,7 @@ void set_seal(const std::string& path, const std::string& meant) {
   file.write(text.data(), seal_size);
   file.close();
   if (!file)
-    throw_errno("write", meant);
+    files::throw_errno("write", meant);
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
@@ -74,7 +76,7 @@ void set_seal(const std::string& path, const std::string& meant) {
   if (const std::string previous = path + ".prev";
       std::filesystem::exists(previous, ignored))
     message += "; the previous checkpoint is " + previous;
-  throw FileError(message);
+  throw files::FileError(message);
 }
 
 void verify_seal(const std::string& path) {
@@ -111,19 +113,19 @@ void keep_previous(const std::string& path) {
   std::error_code fault;
   if (!std::filesystem::exists(path, fault))
     return;
-  expect_replaceable(previous);
+  files::expect_replaceable(previous);
   std::filesystem::remove(previous, fault);
   std::filesystem::create_hard_link(path, previous, fault);
   if (fault)  // the file system has no hard links
-    move_file(path, previous);
+    files::move_file(path, previous);
 }
 
 }  // namespace
 
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info) {
-  TemporaryFile temporary(path);
-  with_file_errors("write", path, [&] {
+  files::TemporaryFile temporary(path);
+  files::with_file_errors("write", path, [&] {
     hdf5::Handle file = hdf5::create_file(temporary.path(), seal_size);
     hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
     hdf5::write_attribute(file.get(), "format", format);
@@ -133,15 +135,15 @@ void write_checkpoint(const std::string& path, const Model& model,
     file.close();
   });
   set_seal(temporary.path(), path);
-  sync_file(temporary.path(), path);
+  files::sync_file(temporary.path(), path);
   keep_previous(path);
   temporary.take_name();
-  sync_folder_of(path);
+  files::sync_folder_of(path);
 }
 
 Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
   verify_seal(path);
-  const FileAccessGuard in_hand("read", path);
+  const files::FileAccessGuard in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     Model model;

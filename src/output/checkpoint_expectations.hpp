@@ -8,9 +8,9 @@
 #include <functional>
 #include <string>
 
+#include "files/hdf5_handle.hpp"
 #include "model/model.hpp"
 #include "output/checkpoint_field.hpp"
-#include "output/hdf5_handle.hpp"
 
 namespace blocks::output {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <numeric>
 
+#include "files/file_error.hpp"
 #include "model/counted.hpp"
-#include "output/file_tools.hpp"
 #include "output/listing_text.hpp"
 #include "quantities/energy.hpp"
 
@@ -24,7 +24,7 @@ std::string scaling_text(const SolveRecord& solve) {
 Listing::Listing(const std::string& path, bool append)
     : out_(path, append ? std::ios::app : std::ios::trunc), path_(path) {
   if (!out_)
-    throw_errno("write", path_);
+    files::throw_errno("write", path_);
 }
 
 long Listing::size() {
@@ -37,7 +37,7 @@ long Listing::size() {
 void Listing::flush() {
   out_.flush();
   if (!out_)
-    throw_errno("write", path_);
+    files::throw_errno("write", path_);
 }
 
 void Listing::deck_echo(const RunIdentity& identity) {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/model_fields.hpp"
 
 namespace blocks::output {

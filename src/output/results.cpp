@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <random>
 
-#include "output/file_tools.hpp"
-#include "output/results_errors.hpp"
+#include "files/file_access_guard.hpp"
+#include "files/file_tools.hpp"
+#include "files/hdf5_errors.hpp"
 #include "output/results_frames.hpp"
 #include "output/results_history.hpp"
 #include "output/results_mark.hpp"
@@ -22,9 +23,9 @@ constexpr int format = 1;
 
 struct ResultsWriter::File {
   std::string path;
-  std::optional<TemporaryFile> temporary;  ///< until the first frame
-  std::string aside;                       ///< ending for an older file of this name
-  ChangeMark mark;                         ///< destroyed after the HDF5 handles
+  std::optional<files::TemporaryFile> temporary;  ///< until the first frame
+  std::string aside;  ///< ending for an older file of this name
+  ChangeMark mark;    ///< destroyed after the HDF5 handles
   hdf5::Handle file;
   ResultsGroups groups;
   long frames = 0;
@@ -157,18 +158,19 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     to.publish(0);
     to.mark.end();
   };
-  with_file_errors("write", path, create);
+  files::with_file_errors("write", path, create);
 }
 
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
 ResultsWriter ResultsWriter::reopen(const std::string& path, long frames,
                                     long samples) {
-  FileAccessGuard in_hand("continue", path);  // also covers closing after a failure
+  files::FileAccessGuard in_hand("continue",
+                                 path);  // also covers closing after a failure
   auto file = std::make_unique<File>();
   file->path = path;
   try {
-    with_file_errors("continue", path, [&] {
+    files::with_file_errors("continue", path, [&] {
       file->mark = ChangeMark::find(path);
       file->mark.begin();
       file->file = hdf5::open_file(path, true);
@@ -184,7 +186,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames,
       file->history.emplace(file->groups.own.get(), samples);
       file->mark.end();
     });
-  } catch (const FileError&) {
+  } catch (const files::FileError&) {
     in_hand.must_end_within(2);
     throw;
   }
@@ -195,7 +197,7 @@ ResultsWriter::~ResultsWriter() {
   if (file_ == nullptr)
     return;
   file_->temporary.reset();  // a file without a frame is removed
-  const FileAccessGuard in_hand("close", file_->path);
+  const files::FileAccessGuard in_hand("close", file_->path);
   file_.reset();
 }
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
@@ -206,13 +208,13 @@ void ResultsWriter::include_unbalanced() { file_->unbalanced = true; }
 void ResultsWriter::write(const Model& model, bool changed) {
   if (!changed && file_->frames > 0 && file_->last_step == model.steps)
     return;
-  with_file_errors("write", file_->path, [&] { file_->append(model); });
+  files::with_file_errors("write", file_->path, [&] { file_->append(model); });
 }
 
 long ResultsWriter::frames() const { return file_->frames; }
 
 std::optional<double> ResultsWriter::begin_history(const HistoryRequest& request) {
-  return with_file_errors("write", file_->path, [&] {
+  return files::with_file_errors("write", file_->path, [&] {
     file_->flush_history();  // samples of the request before
     return file_->history->begin(request);
   });
@@ -224,18 +226,18 @@ void ResultsWriter::add_sample(double time, std::span<const double> values) {
 }
 
 void ResultsWriter::flush_history() {
-  with_file_errors("write", file_->path, [&] { file_->flush_history(); });
+  files::with_file_errors("write", file_->path, [&] { file_->flush_history(); });
 }
 
 long ResultsWriter::samples() const { return file_->history->rows(); }
 
 FirstPositions ResultsWriter::first_positions() const {
-  return with_file_errors("read", file_->path,
-                          [&] { return file_->data->first_positions(file_->groups); });
+  return files::with_file_errors(
+      "read", file_->path, [&] { return file_->data->first_positions(file_->groups); });
 }
 
 std::string ResultsWriter::run_id() const {
-  return with_file_errors("read", file_->path, [&] {
+  return files::with_file_errors("read", file_->path, [&] {
     return hdf5::read_text(file_->groups.own.get(), "run_id");
   });
 }

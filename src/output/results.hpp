@@ -6,18 +6,12 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "model/model.hpp"
 
 namespace blocks::output {
-
-/// Thrown if a file cannot be written or read; the exit code is 5.
-class FileError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The identity of a run. It is written once, when the results file is created.
 struct RunIdentity {

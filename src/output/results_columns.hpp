@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 
 namespace blocks::output {
 

@@ -3,8 +3,8 @@
 
 #include <functional>
 
+#include "files/hdf5_handle.hpp"
 #include "model/model.hpp"
-#include "output/hdf5_handle.hpp"
 #include "output/results_joint_states.hpp"
 
 namespace blocks::output {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "files/hdf5_handle.hpp"
 #include "model/settings.hpp"
-#include "output/hdf5_handle.hpp"
 
 namespace blocks::output {
 

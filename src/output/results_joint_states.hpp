@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "files/hdf5_handle.hpp"
 #include "model/model.hpp"
-#include "output/hdf5_handle.hpp"
 
 namespace blocks::output {
 

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <thread>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 
 namespace blocks::output {
 namespace {
@@ -66,11 +66,6 @@ bool abandoned(int file) {
 
 }  // namespace
 
-OpenedFile::~OpenedFile() {
-  if (descriptor_ >= 0)
-    ::close(descriptor_);
-}
-
 ChangeMark::ChangeMark(const std::string& path, bool is_new)
     : file_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
   if (!file_)
@@ -84,7 +79,7 @@ ChangeMark::ChangeMark(const std::string& path, bool is_new)
   } else if (const auto found = number_in(file_.get())) {
     number_ = *found;
   } else {
-    file_ = OpenedFile();
+    file_ = files::OpenedFile();
     return;
   }
   // A reader may hold the lock for a moment. The loop ends at once if there are no
@@ -96,7 +91,7 @@ ChangeMark::ChangeMark(const std::string& path, bool is_new)
 }
 
 bool is_being_written(const std::string& path) {
-  const OpenedFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const files::OpenedFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   return file && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 

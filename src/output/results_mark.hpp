@@ -10,32 +10,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
+
+#include "files/opened_file.hpp"
 
 namespace blocks::output {
 
 constexpr std::size_t mark_size = 512;
 constexpr std::string_view results_head = "BLOCKS r";  ///< the first 8 bytes
-
-/// A file descriptor that is closed by the destructor.
-class OpenedFile {
- public:
-  explicit OpenedFile(int descriptor = -1) : descriptor_(descriptor) {}
-  OpenedFile(OpenedFile&& other) noexcept
-      : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  OpenedFile& operator=(OpenedFile&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-  }
-  OpenedFile(const OpenedFile&) = delete;
-  OpenedFile& operator=(const OpenedFile&) = delete;
-  ~OpenedFile();
-  int get() const { return descriptor_; }
-  explicit operator bool() const { return descriptor_ >= 0; }
-
- private:
-  int descriptor_;
-};
 
 /// The writer's side. The file has an advisory lock during the lifetime of the object.
 /// The lock distinguishes a change in progress from one whose writer died.
@@ -62,7 +43,7 @@ class ChangeMark {
  private:
   ChangeMark(const std::string& path, bool is_new);
   void write(std::uint64_t number);
-  OpenedFile file_;
+  files::OpenedFile file_;
   std::uint64_t number_ = 0;
 };
 
@@ -87,7 +68,7 @@ class ChangeWatch {
   bool still_named(const std::string& path) const;
 
  private:
-  OpenedFile file_;
+  files::OpenedFile file_;
 };
 
 }  // namespace blocks::output

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "output/file_access_guard.hpp"
-#include "output/hdf5_handle.hpp"
+#include "files/file_access_guard.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/results.hpp"
 
 namespace blocks::output {
@@ -20,7 +20,7 @@ bool RunIdentity::same_deck(const RunIdentity& other) const {
 }
 
 std::string ResultsWriter::run_id_of(const std::string& path) {
-  const FileAccessGuard in_hand("read", path);
+  const files::FileAccessGuard in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     return hdf5::read_text(file.get(), "BLOCKS/run_id");
@@ -30,7 +30,7 @@ std::string ResultsWriter::run_id_of(const std::string& path) {
 }
 
 std::optional<RunIdentity> ResultsWriter::identity_of(const std::string& path) {
-  const FileAccessGuard in_hand("read", path);
+  const files::FileAccessGuard in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     const hdf5::Handle own = hdf5::open_group(file.get(), "BLOCKS");

@@ -6,10 +6,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "files/file_tools.hpp"
+#include "files/fnv1a.hpp"
 #include "model/crack_report.hpp"
 #include "model/drives.hpp"
 #include "output/cuts_json.hpp"
-#include "output/file_tools.hpp"
 #include "quantities/energy.hpp"
 
 namespace blocks::output {
@@ -301,7 +302,7 @@ bool all_converged(const std::vector<SolveRecord>& solves) {
 
 std::string state_hash(const Model& model) {
   const Blocks& blocks = model.blocks;
-  Fnv1a hash;
+  files::Fnv1a hash;
   const auto add = [&](const auto& matrix) {
     hash.add(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
   };
@@ -382,7 +383,8 @@ void write_summary(const std::string& path, const Model& model,
     json["removed_blocks"] = model.blocks.size() - present;
 
   // A title may contain any bytes. Numbers that are not finite become null.
-  replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  files::replace_file(path,
+                      json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace blocks::output

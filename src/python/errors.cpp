@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "output/file_tools.hpp"
+#include "files/file_error.hpp"
 #include "text.hpp"
 
 namespace blocks::python {
@@ -114,7 +114,7 @@ str() gives it as the command line prints it, with the line of the deck and a ca
       set_with_diagnostics("DeckError", error.what(), error.messages());
     } catch (const UnsoundRun& error) {
       set_as("UnsoundRun", error);
-    } catch (const output::FileError& error) {
+    } catch (const files::FileError& error) {
       set_as("FileError", error);
     } catch (const std::out_of_range&) {
       throw;  // IndexError

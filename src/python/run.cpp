@@ -15,9 +15,9 @@
 
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "files/file_tools.hpp"
 #include "library/deck_messages.hpp"
 #include "names.hpp"
-#include "output/file_tools.hpp"
 #include "run/reports/check_report.hpp"
 #include "run/support/interrupt.hpp"
 #include "selectors.hpp"
@@ -165,7 +165,7 @@ py::dict summary_of(const SharedCertificate& certificate) {
 }  // namespace
 
 void bind_run(py::module_& module) {
-  module.def("_replace_file", &output::replace_file_keeping_older, py::arg("path"),
+  module.def("_replace_file", &files::replace_file_keeping_older, py::arg("path"),
              py::arg("text"));
   module.def("_run", &run_deck, py::arg("deck"), py::arg("text"), py::arg("out"),
              py::arg("seed"), py::arg("sets"), py::arg("threads"), py::arg("until"),

@@ -101,7 +101,7 @@ struct Ensemble {
 };
 
 /// Reads the sweeps. A run whose outcome is damaged, or whose results are missing or
-/// those of another seed, has failed. Throws output::FileError if a plan cannot be
+/// those of another seed, has failed. Throws files::FileError if a plan cannot be
 /// read. Throws std::runtime_error, with a hint, if the sweeps do not belong together,
 /// a measure is unknown, or no finished run has it.
 Ensemble read_ensemble(const Request& request);

@@ -20,7 +20,7 @@ struct Member {
 std::string results_path(const Member& member, std::size_t id);
 
 /// Reads the plans of the sweeps in these folders, at least one. Throws
-/// output::FileError if a plan cannot be read. Throws std::runtime_error, with a hint,
+/// files::FileError if a plan cannot be read. Throws std::runtime_error, with a hint,
 /// if the sweeps have different decks, programs, numerics or ends, unless they are a
 /// `pair` or `mixed`; also if a folder is named twice, or a pair has not two sweeps.
 std::vector<Member> read_members(const std::vector<std::string>& folders, bool pair,

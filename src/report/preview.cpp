@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "deck/parser.hpp"
-#include "output/results.hpp"
+#include "files/file_error.hpp"
 #include "post/read/results_reader.hpp"
 #include "report/outcome_values.hpp"
 #include "run/run.hpp"
@@ -96,7 +96,7 @@ class Scout {
         if (const auto* card = std::get_if<deck::Units>(&command.card))
           units = Units{card->length.value, card->mass.value, card->time.value};
       }
-    } catch (const output::FileError&) {
+    } catch (const files::FileError&) {
       return;  // the deck is on another computer
     }
     set_title_and_units(member, title, units);

@@ -8,8 +8,7 @@
 #include <iterator>
 #include <set>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
 #include "post/page/view_page.hpp"
 #include "report/html_text.hpp"
 #include "report/page_files.hpp"
@@ -145,8 +144,8 @@ std::string summary_page(const Ensemble& ensemble, const RunRow& row,
 /// Writes a page of a run. A file that is no such page is kept as .bak, .bak2, ...
 void replace_page(const std::string& path, const std::string& page) {
   if (exists(path) && !has(head_of(path), any_mark))
-    output::set_aside(path);
-  output::replace_file(path, page);
+    files::set_aside(path);
+  files::replace_file(path, page);
 }
 
 void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& path) {
@@ -210,7 +209,7 @@ RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
           write_view(ensemble, row, page);
         else
           replace_page(page, summary_page(ensemble, row, with_results[r]));
-      } catch (const output::FileError& fault) {
+      } catch (const files::FileError& fault) {
         pages.fault = fault.what();
       } catch (const std::runtime_error&) {
         // The results are damaged; the row of the table says so.

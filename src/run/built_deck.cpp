@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "output/file_tools.hpp"
+#include "files/file_error.hpp"
 #include "run/builder/builder.hpp"
 #include "run/executor/saved_state.hpp"
 #include "run/support/cut_progress.hpp"
@@ -17,12 +17,12 @@ namespace blocks::run {
 namespace {
 
 /// Loads the checkpoint of a deck to be checked. If that fails, reports it at the
-/// RESTART card, and the model stays empty. Throws output::FileError if --restart alone
+/// RESTART card, and the model stays empty. Throws files::FileError if --restart alone
 /// is at fault.
 Model load_to_check(Job& job) {
   try {
     return job.load();
-  } catch (const output::FileError& fault) {
+  } catch (const files::FileError& fault) {
     if (job.options.restart && !job.diagnostics.has_errors())
       throw;
     const deck::Command& command = job.deck.commands.front();

@@ -44,7 +44,7 @@ bool changes_model(const deck::Command& command);
 
 /// Executes all cards of the deck without making steps. Messages about them are added
 /// to the diagnostics of the job. Returns nothing after errors, and after an interrupt,
-/// which it tells; Job::fault is then the exit code. Throws output::FileError if the
+/// which it tells; Job::fault is then the exit code. Throws files::FileError if the
 /// checkpoint of --restart cannot be continued.
 std::optional<BuiltDeck> build(Job& job);
 

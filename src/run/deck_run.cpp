@@ -12,10 +12,10 @@
 #include <variant>
 
 #include "dynamics/support/memory_pages.hpp"
+#include "files/file_tools.hpp"
+#include "files/name_lock.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
-#include "output/file_tools.hpp"
-#include "output/name_lock.hpp"
 #include "run/builder/builder.hpp"
 #include "run/executor/continuation_hint.hpp"
 #include "run/executor/executor.hpp"
@@ -304,8 +304,8 @@ class DeckRun {
 
 ExitCode run_built(Job& job, BuiltDeck built, Console& console,
                    const std::vector<std::string>& warnings) {
-  output::create_folder_of(job.name);
-  const output::NameLock lock(job.name, job.name + ".vtkhdf");
+  files::create_folder_of(job.name);
+  const files::NameLock lock(job.name, job.name + ".vtkhdf");
   return DeckRun(job, std::move(built), console).run(warnings);
 }
 

@@ -11,7 +11,7 @@
 namespace blocks::run {
 
 /// Makes the steps of the deck and writes its files. warnings: of the check, for the
-/// listing and the summary. Throws output::FileError.
+/// listing and the summary. Throws files::FileError.
 ExitCode run_built(Job& job, BuiltDeck built, Console& console,
                    const std::vector<std::string>& warnings);
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "dynamics/preparation/mass_scaling.hpp"
+#include "files/file_error.hpp"
 #include "quantities/quantity.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/executor/executor.hpp"
@@ -191,7 +192,7 @@ Model Job::load() {
   resumes = options.restart && from.deck_text == text &&
             !(continues() && from.progress.finished && !options.until);
   const auto refuse = [&](const std::string& reason) {
-    throw output::FileError(
+    throw files::FileError(
         fmt::format("cannot continue {} from {}: {}", options.deck, path, reason));
   };
   const std::filesystem::path own(diagnostics.file()), its(from.deck_file);

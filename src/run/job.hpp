@@ -16,7 +16,7 @@ namespace blocks::run {
 /// A deck with everything needed to build its model and to run it.
 struct Job {
   /// Reads and parses the deck. With --until, adds a MOTION card behind the last card
-  /// that acts. Throws output::FileError if the deck cannot be read.
+  /// that acts. Throws files::FileError if the deck cannot be read.
   explicit Job(const RunOptions& given);
 
   BuildOptions build_options() const;
@@ -28,7 +28,7 @@ struct Job {
   output::RunIdentity identity(const Model& model) const;
 
   /// Loads the checkpoint of a RESTART deck, or of this deck if it was stopped earlier
-  /// or goes on to --until. Throws output::FileError if it cannot be continued.
+  /// or goes on to --until. Throws files::FileError if it cannot be continued.
   Model load();
   /// A faulty deck that does not begin with RESTART is checked as a new run, because no
   /// checkpoint belongs to it.

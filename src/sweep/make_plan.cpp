@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "deck/free_field.hpp"
-#include "output/results.hpp"
+#include "files/file_error.hpp"
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
 
@@ -18,12 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads a file that the command line names. Throws output::FileError with a hint.
+/// Reads a file that the command line names. Throws files::FileError with a hint.
 std::string read(const std::string& path) {
   try {
     return run::read_deck(path);
-  } catch (const output::FileError& fault) {
-    throw output::FileError(
+  } catch (const files::FileError& fault) {
+    throw files::FileError(
         fmt::format("{}\n  hint: name a file that exists; the path is relative to {}",
                     fault.what(), fs::current_path().string()));
   }
@@ -157,7 +157,7 @@ int check_first_run(const Plan& plan) {
 Plan make_plan(const Request& request, int& code) {
   code = run::done;
   if (request.deck == "-")
-    throw output::FileError(
+    throw files::FileError(
         "a sweep reads its deck again in every run, so it cannot be standard input\n  "
         "hint: write the deck to a file");
   Plan plan;

@@ -32,7 +32,7 @@ Plan make_study_plan(const Request& request);
 /// Returns the plan for a deck. Parses the deck with every value that a run sets, and
 /// checks the first run as `blocks check` does. Errors of the deck are printed; `code`
 /// is then the exit code, and otherwise run::done. Throws AxisFault, or
-/// output::FileError if a file cannot be read.
+/// files::FileError if a file cannot be read.
 Plan make_plan(const Request& request, int& code);
 
 }  // namespace blocks::sweep

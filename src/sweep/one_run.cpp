@@ -7,8 +7,7 @@
 #include <fstream>
 #include <new>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
 #include "run/run.hpp"
 #include "run/support/interrupt.hpp"
 #include "study/scene.hpp"
@@ -53,8 +52,8 @@ class RunFolder {
   /// files as .bak.
   void clear() const {
     for (const char* ending : {".out", ".vtkhdf"}) {
-      output::expect_replaceable(name_ + ending);
-      if (output::has_text(name_ + ending, 0, "BLOCKS "))
+      files::expect_replaceable(name_ + ending);
+      if (files::has_text(name_ + ending, 0, "BLOCKS "))
         fs::remove(name_ + ending);
     }
     if (summary().contains("state_hash"))
@@ -64,8 +63,8 @@ class RunFolder {
   /// checkpoint does not make them again.
   void write_layers(const Json& layers) const {
     if (!read_json(layers_path()).contains(layers_mark))
-      output::set_aside(layers_path());
-    output::replace_file(layers_path(), layers.dump() + '\n');
+      files::set_aside(layers_path());
+    files::replace_file(layers_path(), layers.dump() + '\n');
   }
   Json layers() const { return read_json(layers_path()); }
   Json summary() const { return read_json(summary_path()); }
@@ -76,7 +75,7 @@ class RunFolder {
 
   /// Returns what a regular file has; null if it is missing or damaged.
   static Json read_json(const std::string& path) {
-    if (!output::has_text(path, 0, "{"))
+    if (!files::has_text(path, 0, "{"))
       return {};
     std::ifstream in(path, std::ios::binary);
     const Json json = Json::parse(in, nullptr, false);
@@ -99,7 +98,7 @@ int run_the_deck(const Plan& plan, const Variation& run, const RunFolder& files,
     options.restart = checkpoint;
     try {
       return run::run_deck(options);
-    } catch (const output::FileError& fault) {
+    } catch (const files::FileError& fault) {
       fmt::print(stderr, "blocks: warning: {}; the run begins again\n", fault.what());
     }
     options.restart.reset();  // the run keeps the files that are there as .bak
@@ -122,7 +121,7 @@ template <class Work> int with_faults_told(std::string& message, Work&& work) {
   };
   try {
     return work();
-  } catch (const output::FileError& fault) {
+  } catch (const files::FileError& fault) {
     return tell("error", fault.what(), run::file_error);
   } catch (const std::bad_alloc&) {
     return tell("error", "there is not enough memory for this problem",

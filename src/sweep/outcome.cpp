@@ -11,8 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
 #include "run/run.hpp"
 #include "sweep/json_fields.hpp"
 
@@ -73,14 +72,14 @@ std::string status_of(int code) {
 bool is_final(int code) { return code != run::interrupted && code != run::file_error; }
 
 std::optional<Outcome> read_outcome(const std::string& run_folder) {
-  output::expect_regular(path_of(run_folder));
+  files::expect_regular(path_of(run_folder));
   std::ifstream in(path_of(run_folder), std::ios::binary);
   if (!in || in.peek() == std::ifstream::traits_type::eof())
     return std::nullopt;
   try {
     return outcome_of(Json::parse(in, nullptr, false));
   } catch (const std::exception& fault) {
-    throw output::FileError(
+    throw files::FileError(
         fmt::format("{} is damaged: {}\n  hint: remove it, and blocks sweep goes on "
                     "with this run",
                     path_of(run_folder), fault.what()));
@@ -90,7 +89,7 @@ std::optional<Outcome> read_outcome(const std::string& run_folder) {
 std::optional<Outcome> read_outcome_or_damage(const std::string& run_folder) {
   try {
     return read_outcome(run_folder);
-  } catch (const output::FileError& fault) {
+  } catch (const files::FileError& fault) {
     // Reports must not depend on where the sweep is.
     const std::string message = fault.what(), path = path_of(run_folder);
     std::string reason = message.substr(0, message.find('\n'));
@@ -111,14 +110,14 @@ void write_outcome(const std::string& run_folder, const Outcome& outcome) {
   Json json = {
       {"code", outcome.code}, {"status", outcome.status}, {"message", outcome.message}};
   json.update(outcome.measured);
-  output::replace_file(path_of(run_folder),
-                       json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+  files::replace_file(path_of(run_folder),
+                      json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 void remove_outcome(const std::string& run_folder) {
   const std::string path = path_of(run_folder);
   if (::unlink(path.c_str()) != 0 && errno != ENOENT)
-    output::throw_errno("remove", path);
+    files::throw_errno("remove", path);
 }
 
 Json safety_outcome(const Json& summary) {

@@ -25,7 +25,7 @@ bool is_final(int code);
 
 /// Returns the outcome in the folder of a run, or nothing if there is none, so that the
 /// run is missing, at work, or stopped. An empty file, which a crash of the machine can
-/// leave, is none. Throws output::FileError if it is damaged.
+/// leave, is none. Throws files::FileError if it is damaged.
 std::optional<Outcome> read_outcome(const std::string& run_folder);
 
 /// The status of an outcome that cannot be read.
@@ -39,10 +39,10 @@ std::optional<Outcome> read_outcome_or_damage(const std::string& run_folder);
 /// Returns whether there is one, without reading it.
 bool has_outcome(const std::string& run_folder);
 
-/// Writes it, all at once. Throws output::FileError.
+/// Writes it, all at once. Throws files::FileError.
 void write_outcome(const std::string& run_folder, const Outcome& outcome);
 
-/// Removes it, so that the run goes on. Throws output::FileError.
+/// Removes it, so that the run goes on. Throws files::FileError.
 void remove_outcome(const std::string& run_folder);
 
 /// Returns {"lower": 1.39, "upper": 1.4} of the summary of a run (NAME.summary.json);

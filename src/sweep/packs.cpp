@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 
 namespace blocks::sweep {
 namespace {
@@ -30,16 +30,16 @@ std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
 }
 
 void write_packs(const std::string& path, const std::vector<std::string>& packs) {
-  output::expect_no_link(std::filesystem::path(path).parent_path().string());
-  output::create_folder_of(path);
+  files::expect_no_link(std::filesystem::path(path).parent_path().string());
+  files::create_folder_of(path);
   const std::vector<std::string> older = lines_of(path);
   if (!std::all_of(older.begin(), older.end(), is_pack))
-    output::set_aside(path);
-  output::replace_file(path, fmt::format("{}\n", fmt::join(packs, "\n")));
+    files::set_aside(path);
+  files::replace_file(path, fmt::format("{}\n", fmt::join(packs, "\n")));
 }
 
 std::vector<std::string> lines_of(const std::string& path) {
-  output::expect_regular(path);
+  files::expect_regular(path);
   std::ifstream in(path);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);)

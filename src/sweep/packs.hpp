@@ -14,10 +14,10 @@ std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
                                   std::size_t size);
 
 /// Writes the packs, one per line. An older file that has other lines is kept as
-/// PATH.bak, PATH.bak2, ... Throws output::FileError, also if the folder is a link.
+/// PATH.bak, PATH.bak2, ... Throws files::FileError, also if the folder is a link.
 void write_packs(const std::string& path, const std::vector<std::string>& packs);
 
-/// Returns the lines of a file; none if it is missing. Throws output::FileError if it
+/// Returns the lines of a file; none if it is missing. Throws files::FileError if it
 /// is not a regular file.
 std::vector<std::string> lines_of(const std::string& path);
 

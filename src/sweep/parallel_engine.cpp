@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 #include "sweep/external_program.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/packs.hpp"
@@ -38,10 +38,10 @@ std::string log_path(const std::string& folder) {
 /// earlier call is left to GNU parallel, whose log a kill can damage.
 void prepare(const std::string& folder, const std::vector<std::size_t>& ids,
              std::size_t pack) {
-  output::expect_no_link(fs::path(log_path(folder)).parent_path().string());
+  files::expect_no_link(fs::path(log_path(folder)).parent_path().string());
   for (const std::string& path : {log_path(folder), packs_path(folder)})
-    output::expect_replaceable(path);
-  output::set_aside(log_path(folder));
+    files::expect_replaceable(path);
+  files::set_aside(log_path(folder));
   write_packs(packs_path(folder), packs_of(ids, pack));
 }
 

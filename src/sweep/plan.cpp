@@ -8,8 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
+#include "files/fnv1a.hpp"
 #include "run/support/deck_file.hpp"
 #include "sweep/json_fields.hpp"
 
@@ -191,8 +191,8 @@ bool has_plan(const std::string& folder) {
 
 void write_plan(const std::string& folder, const Plan& plan) {
   const std::string path = plan_path(folder);
-  output::create_folder_of(path);
-  output::TemporaryFile temporary(path);
+  files::create_folder_of(path);
+  files::TemporaryFile temporary(path);
   std::ofstream file(temporary.path(), std::ios::binary);
   std::string head = head_of(plan).dump(-1, ' ', false, Json::error_handler_t::replace);
   head.pop_back();  // the closing brace
@@ -203,24 +203,24 @@ void write_plan(const std::string& folder, const Plan& plan) {
   file << "]}\n";
   file.close();
   if (!file)
-    output::throw_errno("write", path);
-  output::sync_file(temporary.path(), path);
+    files::throw_errno("write", path);
+  files::sync_file(temporary.path(), path);
   temporary.take_name();
 }
 
 Plan read_plan(const std::string& folder) {
   const std::string path = plan_path(folder);
-  output::expect_regular(path);
+  files::expect_regular(path);
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw output::FileError(fmt::format(
+    throw files::FileError(fmt::format(
         "{} is not the folder of a sweep: it has no sweep.json\n  hint: blocks sweep "
         "DECK --seeds 1-20 -o {} makes one",
         folder, folder));
   try {
     return read_lines(in);
   } catch (const std::exception& fault) {
-    throw output::FileError(fmt::format(
+    throw files::FileError(fmt::format(
         "cannot read {}: {}\n  hint: the command that made the sweep writes it again, "
         "in a folder without it",
         path, fault.what()));
@@ -258,12 +258,12 @@ std::string difference(const Plan& there, const Plan& wanted) {
 }
 
 std::string hash_of_deck(const std::string& path) {
-  output::expect_regular(path);  // a worker cannot read a stream of this process
+  files::expect_regular(path);  // a worker cannot read a stream of this process
   const std::string text = run::read_deck(path);
   deck::Diagnostics ignored(path, text);
   const deck::Deck deck = deck::parse(path, text, ignored);
   const std::string files = run::file_sums(deck, run::deck_folder(path), "");
-  output::Fnv1a hash;
+  files::Fnv1a hash;
   hash.add(text.data(), text.size());
   hash.add(files.data(), files.size());
   return hash.text();
@@ -276,7 +276,7 @@ void expect_same_program_and_deck(const std::string& folder, const Plan& plan) {
   if (!plan.deck.empty())
     here.deck_hash = hash_of_deck(plan.deck);
   if (const std::string other = difference(plan, here); !other.empty())
-    throw output::FileError(fmt::format(
+    throw files::FileError(fmt::format(
         "cannot go on with the sweep in {}: {}\n  hint: restore it, or sweep into "
         "another folder with -o",
         folder, other));

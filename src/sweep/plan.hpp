@@ -46,20 +46,20 @@ std::string plan_path(const std::string& folder);
 bool has_plan(const std::string& folder);
 
 /// Writes the plan as JSON, one run per line. The folder is created if it is missing.
-/// Throws output::FileError.
+/// Throws files::FileError.
 void write_plan(const std::string& folder, const Plan& plan);
 
-/// Reads the plan of a folder, line by line. Throws output::FileError if there is none,
+/// Reads the plan of a folder, line by line. Throws files::FileError if there is none,
 /// or if it is damaged.
 Plan read_plan(const std::string& folder);
 
 /// Describes the first difference between two plans; empty if they are the same.
 std::string difference(const Plan& there, const Plan& wanted);
 
-/// Returns the hash of a deck and the files that it reads. Throws output::FileError.
+/// Returns the hash of a deck and the files that it reads. Throws files::FileError.
 std::string hash_of_deck(const std::string& path);
 
-/// Throws output::FileError if the deck is not that of the plan any more, or if the
+/// Throws files::FileError if the deck is not that of the plan any more, or if the
 /// program has another version or other numerics, so that the runs would not belong
 /// together.
 void expect_same_program_and_deck(const std::string& folder, const Plan& plan);

@@ -12,24 +12,23 @@
 #include <fstream>
 #include <iostream>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
 
 namespace blocks::sweep {
 
 namespace {
 
-/// Throws output::FileError unless this is a regular file that has no other name.
+/// Throws files::FileError unless this is a regular file that has no other name.
 /// Otherwise the log would be written into another file of the user.
 void expect_own_file(int file, const std::string& path) {
   struct stat state {};
   if (::fstat(file, &state) != 0)
-    output::throw_errno("write", path);
+    files::throw_errno("write", path);
   const char* const fault = !S_ISREG(state.st_mode) ? "it is not a regular file"
                             : state.st_nlink > 1    ? "it is a hard link; remove it"
                                                     : nullptr;
   if (fault != nullptr)
-    throw output::FileError(fmt::format("cannot write {}: {}", path, fault));
+    throw files::FileError(fmt::format("cannot write {}: {}", path, fault));
 }
 
 /// Opens the log, and creates it if it is missing. Returns its descriptor.
@@ -38,14 +37,14 @@ int open_log(const std::string& path) {
             mode = 0666;
   int file = ::open(path.c_str(), flags, mode);
   if (file < 0 && errno == ENOENT) {
-    output::create_folder_of(path);
+    files::create_folder_of(path);
     file = ::open(path.c_str(), flags, mode);
   }
   if (file < 0) {
     const int reason = errno;
-    output::expect_replaceable(path);  // says that it is a link, a FIFO or a folder
+    files::expect_replaceable(path);  // says that it is a link, a FIFO or a folder
     errno = reason;
-    output::throw_errno("write", path);
+    files::throw_errno("write", path);
   }
   return file;
 }
@@ -56,9 +55,9 @@ RunLog::RunLog(const std::string& run_folder) : path_(run_folder + '/' + file_na
   // The folder of 1000 runs and that of all runs may be links, too.
   const std::filesystem::path thousand =
       std::filesystem::path(run_folder).parent_path();
-  output::expect_no_link(thousand.parent_path().string());
-  output::expect_no_link(thousand.string());
-  output::expect_no_link(run_folder);
+  files::expect_no_link(thousand.parent_path().string());
+  files::expect_no_link(thousand.string());
+  files::expect_no_link(run_folder);
   file_ = open_log(path_);
   try {
     expect_own_file(file_, path_);
@@ -74,7 +73,7 @@ bool RunLog::lock() {
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EWOULDBLOCK)
       return false;
-    output::throw_errno("lock", path_);
+    files::throw_errno("lock", path_);
   }
   begin_ = ::lseek(file_, 0, SEEK_END);
   return true;
@@ -85,7 +84,7 @@ void RunLog::take_streams() const {
   std::fflush(nullptr);
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
     if (::dup2(file_, stream) < 0)
-      output::throw_errno("write", path_);
+      files::throw_errno("write", path_);
 }
 
 std::string RunLog::fault() const {

@@ -11,7 +11,7 @@ class RunLog {
   static constexpr const char* file_name = "log.txt";
 
   /// Opens the log of a run, and creates its folder if it is missing. Throws
-  /// output::FileError, also if the log or its folder is a link, or the log has a
+  /// files::FileError, also if the log or its folder is a link, or the log has a
   /// second name.
   explicit RunLog(const std::string& run_folder);
   ~RunLog();

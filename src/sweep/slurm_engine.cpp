@@ -10,8 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
 #include "run/support/shell_word.hpp"
 #include "sweep/external_program.hpp"
 #include "sweep/packs.hpp"
@@ -180,7 +179,7 @@ std::size_t max_tasks() {
 
 std::string submit(const std::string& folder, const SlurmJob& job) {
   write_packs(job.packs_path, job.packs);
-  output::replace_file(job.script_path, job.script);
+  files::replace_file(job.script_path, job.script);
   const ProgramEnd end = call_program(job.words);
   if (end.code != 0)
     throw std::runtime_error(fmt::format(
@@ -188,12 +187,12 @@ std::string submit(const std::string& folder, const SlurmJob& job) {
         "--sbatch, or what its message says, and give the same command again",
         end.code));
   const std::string number = end.output.substr(0, end.output.find(';'));
-  output::expect_replaceable(jobs_path(folder));
+  files::expect_replaceable(jobs_path(folder));
   std::ofstream jobs(jobs_path(folder), std::ios::app);
   jobs << number << '\n';
   jobs.close();
   if (!jobs)
-    output::throw_errno("write", jobs_path(folder));
+    files::throw_errno("write", jobs_path(folder));
   return number;
 }
 

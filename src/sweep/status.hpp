@@ -28,7 +28,7 @@ Counts count_runs(const std::string& folder, const Range& runs);
 std::vector<std::size_t> open_runs(const std::string& folder, const Range& runs);
 
 /// Removes the outcomes of those of these runs that ended with an error or a limit of
-/// time, or whose outcome is damaged, so that they continue. Throws output::FileError.
+/// time, or whose outcome is damaged, so that they continue. Throws files::FileError.
 void reopen_failed_runs(const std::string& folder, const Range& runs);
 
 /// Returns the text of `blocks sweep status`: the plan, the counts, and the first

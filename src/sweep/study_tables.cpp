@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "output/results.hpp"
+#include "files/file_error.hpp"
 #include "run/run.hpp"
 #include "run/support/shell_word.hpp"
 #include "sweep/json_fields.hpp"
@@ -57,11 +57,11 @@ Outcome finished_outcome(const std::string& folder, const Plan& plan, std::size_
   const std::string again = "blocks sweep " + run::shell_path(folder);
   auto outcome = read_outcome(run_folder(folder, id));
   if (!outcome)
-    throw output::FileError(
+    throw files::FileError(
         fmt::format("run {} of {} ({}) is not done\n  hint: '{}' goes on with it", id,
                     folder, words_of(plan.runs[id - 1]), again));
   if (outcome->code != run::done && outcome->code != run::deck_error)
-    throw output::FileError(
+    throw files::FileError(
         fmt::format("run {} of {} ({}) ended with {}: {}\n  hint: '{} --retry' goes on "
                     "with it",
                     id, folder, words_of(plan.runs[id - 1]), outcome->status,
@@ -116,7 +116,7 @@ study::Study study_of(const SceneFrames& frames, const Plan& plan) {
 
 std::vector<study::Study> read_studies(const std::string& folder, const Plan& plan) {
   if (plan.kind != Kind::study)
-    throw output::FileError(
+    throw files::FileError(
         fmt::format("{} is not the sweep of a study\n  hint: 'blocks sweep all --study "
                     "--seeds 0-999' makes one",
                     folder));
@@ -131,8 +131,8 @@ std::vector<study::Study> read_studies(const std::string& folder, const Plan& pl
     try {
       add(scenes.back(), outcome, plan, static_cast<int>(run.seed.value()));
     } catch (const std::runtime_error& fault) {
-      throw output::FileError(fmt::format("cannot read the outcome of run {} of {}: {}",
-                                          id, folder, fault.what()));
+      throw files::FileError(fmt::format("cannot read the outcome of run {} of {}: {}",
+                                         id, folder, fault.what()));
     }
   }
   std::vector<study::Study> studies;

@@ -12,7 +12,7 @@ namespace blocks::sweep {
 
 /// Returns a study for each scene of the plan, in its order, from the outcomes in the
 /// folder. A frame whose scene could not be made refuses the scene, and likewise a
-/// variant. Throws output::FileError if the plan is not that of a study, or if a run
+/// variant. Throws files::FileError if the plan is not that of a study, or if a run
 /// has no outcome, a damaged one, or another error.
 std::vector<study::Study> read_studies(const std::string& folder, const Plan& plan);
 

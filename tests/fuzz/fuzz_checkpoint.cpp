@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dynamics/stepper.hpp"
+#include "files/file_error.hpp"
 #include "memory_file.hpp"
 #include "output/checkpoint.hpp"
 #include "output/sealed.hpp"
@@ -27,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       dynamics::Stepper stepper(model, work);
       stepper.advance(true);
       stepper.up_to_date();
-    } catch (const output::FileError&) {
+    } catch (const files::FileError&) {
     }
   }
   return 0;

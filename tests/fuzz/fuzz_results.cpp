@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "files/file_error.hpp"
 #include "memory_file.hpp"
 #include "output/results.hpp"
 #include "post/read/results_reader.hpp"
@@ -28,13 +29,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (frame.joints[b].size() != frame.outlines[b].size())
           std::abort();
     }
-  } catch (const output::FileError&) {
+  } catch (const files::FileError&) {
   }
   try {
     output::ResultsWriter::run_id_of(file.path());
     output::ResultsWriter::identity_of(file.path());
     output::ResultsWriter::reopen(file.path(), 1);
-  } catch (const output::FileError&) {
+  } catch (const files::FileError&) {
   }
   return 0;
 }

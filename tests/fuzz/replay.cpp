@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "output/file_access_guard.hpp"
+#include "files/file_access_guard.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -62,7 +62,7 @@ void try_apart() {
     alarm(60);
     if (std::freopen("/dev/null", "w", stderr) == nullptr)
       _exit(1);
-    blocks::output::tell_crashes_of_files(5);
+    blocks::files::tell_crashes_of_files(5);
     try_input();
     _exit(0);
   }

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/listing.hpp"
 #include "output/summary.hpp"
 #include "post/read/results_reader.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/listing.hpp"
 #include "post/read/results_reader.hpp"
 #include "sample_model.hpp"

@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <limits>
 
+#include "files/file_access_guard.hpp"
+#include "files/file_tools.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/checkpoint.hpp"
-#include "output/file_access_guard.hpp"
-#include "output/file_tools.hpp"
-#include "output/hdf5_handle.hpp"
 #include "post/read/results_reader.hpp"
 #include "sample_model.hpp"
 
@@ -91,7 +91,7 @@ TEST(Results, AreReadBackExactlyWhileBlocksAreAdded) {
     expect_same(reader.frame(i), states[static_cast<std::size_t>(i)]);
   EXPECT_EQ(reader.nearest(-1.0), 0);
   EXPECT_EQ(reader.nearest(0.0279), 2);
-  EXPECT_THROW(reader.frame(6), FileError);
+  EXPECT_THROW(reader.frame(6), files::FileError);
 }
 
 /// Returns a model with more blocks and corners than are written at a time.
@@ -336,7 +336,7 @@ TEST(Results, ReplaceNothingButRegularFiles) {
       "cannot write " + fifo + ": it is not a regular file; choose another name";
   EXPECT_EQ(file_error([&] { ResultsWriter(fifo, identity); }), expected);
   EXPECT_EQ(file_error([&] { write_checkpoint(fifo, Model{}, {}); }), expected);
-  EXPECT_EQ(file_error([&] { move_file(fifo, fifo + ".bak"); }), expected);
+  EXPECT_EQ(file_error([&] { files::move_file(fifo, fifo + ".bak"); }), expected);
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
   EXPECT_FALSE(std::filesystem::exists(fifo + ".tmp"));
 }
@@ -393,7 +393,7 @@ TEST(Results, ReportATruncatedFile) {
 TEST(Results, ReportAFileThatHdf5CannotClose) {
   const auto close = [] {
     const std::string path = "a.vtkhdf";
-    FileAccessGuard in_hand("continue", path);
+    files::FileAccessGuard in_hand("continue", path);
     in_hand.must_end_within(1);
     // The loop never ends. The thread sanitizer delivers signals at calls only.
     while (std::time(nullptr) != 0) {

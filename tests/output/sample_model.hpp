@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "files/file_error.hpp"
 #include "model/model.hpp"
 #include "output/results.hpp"
 
@@ -140,7 +141,7 @@ inline void overwrite(const std::string& path, const std::string& bytes) {
 template <class Action> std::string file_error(Action&& action) {
   try {
     action();
-  } catch (const output::FileError& error) {
+  } catch (const files::FileError& error) {
     return error.what();
   }
   return {};

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "files/fnv1a.hpp"
 #include "output/checkpoint.hpp"
-#include "output/file_tools.hpp"
 
 namespace blocks::samples {
 
@@ -14,7 +14,7 @@ namespace blocks::samples {
 inline std::string sealed(std::string bytes) {
   constexpr std::size_t seal_size = 512;
   bytes.resize(std::max(bytes.size(), seal_size));
-  output::Fnv1a hash;
+  files::Fnv1a hash;
   hash.add(bytes.data() + seal_size, bytes.size() - seal_size);
   std::string seal =
       fmt::format("BLOCKS checkpoint\nformat {}\nbytes {}\nfnv1a {}\n",

@@ -6,7 +6,6 @@
 #include <cstdlib>
 
 #include "output/checkpoint.hpp"
-#include "output/results.hpp"
 #include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 #include "sanitized.hpp"

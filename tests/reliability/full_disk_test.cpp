@@ -9,7 +9,6 @@
 #include <cstdlib>
 
 #include "output/checkpoint.hpp"
-#include "output/results.hpp"
 #include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 

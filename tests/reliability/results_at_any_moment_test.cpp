@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "output/results.hpp"
 #include "post/read/results_reader.hpp"
 #include "run/program.hpp"
 

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "output/hdf5_handle.hpp"
-#include "output/results.hpp"
+#include "files/hdf5_handle.hpp"
 #include "post/chart/history.hpp"
 #include "run/program.hpp"
 #include "run/stored.hpp"
@@ -308,8 +307,8 @@ class DamagedHistory : public ::testing::Test {
     run_text(folder_, "fall", fall("HISTORY, 0.01, ke, y:1\nMOTION, 0.05\n"));
   }
   template <class Change> void damage(const Change& change) const {
-    const auto file = output::hdf5::open_file((folder_ / "fall.vtkhdf").string(), true);
-    change(output::hdf5::open_group(file.get(), "BLOCKS/history/1").get());
+    const auto file = hdf5::open_file((folder_ / "fall.vtkhdf").string(), true);
+    change(hdf5::open_group(file.get(), "BLOCKS/history/1").get());
   }
   Outcome read() const { return blocks("history fall.vtkhdf", folder_.path()); }
   Outcome resume() const {
@@ -320,7 +319,7 @@ class DamagedHistory : public ::testing::Test {
 
 TEST_F(DamagedHistory, IsRefused) {
   for (const std::int64_t rows : {std::int64_t{-1}, std::int64_t{1} << 60}) {
-    damage([&](hid_t group) { output::hdf5::write_attribute(group, "rows", rows); });
+    damage([&](hid_t group) { hdf5::write_attribute(group, "rows", rows); });
     for (const Outcome& outcome : {read(), resume()}) {
       EXPECT_EQ(outcome.code, 5) << rows;
       EXPECT_THAT(outcome.err, HasSubstr("fall.vtkhdf: ")) << rows;
@@ -336,7 +335,7 @@ TEST_F(DamagedHistory, WithoutAColumnIsRefused) {
 }
 
 TEST_F(DamagedHistory, ThatLacksSamplesIsNotContinued) {
-  damage([](hid_t group) { output::hdf5::write_attribute(group, "rows", 2); });
+  damage([](hid_t group) { hdf5::write_attribute(group, "rows", 2); });
   EXPECT_EQ(read().code, 0);
   const Outcome resumed = resume();
   EXPECT_EQ(resumed.code, 5);

@@ -5,14 +5,14 @@
 
 #include <vector>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {
 namespace {
 
-using output::hdf5::check;
-using output::hdf5::Handle;
+using hdf5::check;
+using hdf5::Handle;
 using Contents = std::map<std::string, std::string>;
 
 /// Returns the shape and the bytes that `read` fills in.
@@ -64,7 +64,7 @@ herr_t visit_object(hid_t file, const char* name, const H5O_info_t* info, void* 
 
 std::map<std::string, std::string> stored(const std::filesystem::path& file) {
   Contents contents;
-  const Handle handle = output::hdf5::open_file(file.string(), false);
+  const Handle handle = hdf5::open_file(file.string(), false);
   EXPECT_GE(H5Ovisit(handle.get(), H5_INDEX_NAME, H5_ITER_INC, visit_object, &contents),
             0)
       << file;

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "output/results.hpp"
+#include "files/file_error.hpp"
 #include "sweep/outcome.hpp"
 
 namespace blocks::sweep {
@@ -35,7 +35,7 @@ class PlanTest : public testing::Test {
   std::string fault_of_reading() const {
     try {
       read_plan(folder_);
-    } catch (const output::FileError& fault) {
+    } catch (const files::FileError& fault) {
       return fault.what();
     }
     return "no fault";
@@ -227,7 +227,7 @@ TEST_F(PlanTest, AnOutcomeIsReadAsItWasWritten) {
   EXPECT_FALSE(has_outcome(folder_));
   EXPECT_FALSE(read_outcome(folder_));
   std::ofstream(folder_ + "/outcome.json") << "{";
-  EXPECT_THROW(read_outcome(folder_), output::FileError);
+  EXPECT_THROW(read_outcome(folder_), files::FileError);
   std::ofstream(folder_ + "/outcome.json") << R"({"code":0,"status":3,"message":""})";
   EXPECT_THAT(
       read_outcome_or_damage(folder_)->message,

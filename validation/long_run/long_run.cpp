@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 
+#include "files/check_outputs.hpp"
+#include "files/file_error.hpp"
 #include "geometry/numeric_environment.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
 #include "run/run.hpp"
 
 namespace blocks::long_run {
@@ -69,8 +69,8 @@ int run(int argc, char** argv, const Study& study, Observer& observer) {
     return refuse(run::internal_error, fault);
   const std::string file = report.empty() ? "" : report + ".md";
   try {
-    output::check_outputs({file});  // Fails now rather than after hours of work.
-  } catch (const output::FileError& error) {
+    files::check_outputs({file});  // Fails now rather than after hours of work.
+  } catch (const files::FileError& error) {
     return refuse(run::file_error, error.what());
   }
   auto checked = run::build_checked(options);

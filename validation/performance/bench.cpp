@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "files/check_outputs.hpp"
+#include "files/file_error.hpp"
 #include "geometry/numeric_environment.hpp"
-#include "output/check_outputs.hpp"
-#include "output/results.hpp"
 #include "parts.hpp"
 #include "scene_table.hpp"
 
@@ -76,7 +76,7 @@ bool is_asked_for(const Part& part, const Options& options) {
 
 int run(const Options& options) {
   // Fails now rather than after minutes of work.
-  blocks::output::check_outputs(
+  blocks::files::check_outputs(
       {options.output + ".md", options.output + ".json", options.output + ".png"});
   const Plan plan = plan_of(options);
   Report report;
@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
   }
   try {
     return run(options);
-  } catch (const blocks::output::FileError& error) {
+  } catch (const blocks::files::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return 5;
   } catch (const std::exception& error) {

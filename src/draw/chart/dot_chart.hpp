@@ -28,7 +28,7 @@ std::string chart_svg(const DotChart& chart, const PageSize& page);
 
 /// Draws a PNG, SVG or PDF file, depending on the extension. Throws
 /// std::runtime_error if the extension is unknown or the page is too small, and
-/// output::FileError if the file cannot be written.
+/// files::FileError if the file cannot be written.
 void draw_chart(const std::string& path, const DotChart& chart, const PageSize& page);
 
 }  // namespace blocks::draw

@@ -42,7 +42,7 @@ void draw_rose_figure(Pen& pen, const RoseLayout& layout, const PageSize& page,
 
 /// Draws a figure to a PNG, SVG or PDF file, depending on the extension. Throws
 /// std::runtime_error if the page is too small or the extension is unknown, and
-/// output::FileError if the file cannot be written.
+/// files::FileError if the file cannot be written.
 void draw_rose_figure(const std::string& path, const PageSize& page,
                       const RoseFigure& figure);
 

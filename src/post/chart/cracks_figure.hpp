@@ -14,7 +14,7 @@ namespace blocks::post {
 /// weighted by length and tells cracks by stress from those by point loads. Of the
 /// options it uses page, title, subtitle and units. Throws std::runtime_error if there
 /// is no crack, the page is too small or the extension is unknown, and
-/// output::FileError if the file cannot be written.
+/// files::FileError if the file cannot be written.
 void draw_cracks_figure(const std::string& path, const std::vector<Crack>& cracks,
                         const std::string& title, const FigureOptions& options);
 

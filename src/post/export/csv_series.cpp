@@ -4,8 +4,8 @@
 #include <iterator>
 #include <type_traits>
 
+#include "files/whole_file.hpp"
 #include "post/export/time_series.hpp"
-#include "post/export/whole_file.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "post/read/quantity.hpp"
 #include "quantities/bond.hpp"
@@ -102,7 +102,7 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
                       const std::function<void()>& may_stop) {
   const std::string name = std::filesystem::path(path).replace_extension().string();
   SeriesFiles files{{path, name + "_contacts.csv"}};
-  WholeFile blocks(files.names[0]), contacts(files.names[1]);
+  files::WholeFile blocks(files.names[0]), contacts(files.names[1]);
   const bool with_parents = !results.cracks().empty();
   std::string head = "time,step,block,material,fixed";
   head += with_parents ? ",parent" : "";

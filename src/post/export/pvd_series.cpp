@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "output/name_lock.hpp"
-#include "output/results.hpp"
+#include "files/file_error.hpp"
+#include "files/name_lock.hpp"
+#include "files/whole_file.hpp"
 #include "post/export/time_series.hpp"
 #include "post/export/vtu_file.hpp"
-#include "post/export/whole_file.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "post/read/quantity.hpp"
 
@@ -120,41 +120,40 @@ void remove_pieces(const fs::path& folder) {
   fs::remove(folder, fault);
 }
 
-/// Deletes such a folder. Throws output::FileError if the name is still taken.
+/// Deletes such a folder. Throws files::FileError if the name is still taken.
 void remove_older(const fs::path& folder, const fs::path& meant) {
   remove_pieces(folder);
   std::error_code fault;
   if (fs::exists(fs::symlink_status(folder, fault)))
-    throw output::FileError(fmt::format("cannot write {}: {} contains other files",
-                                        meant.string(), folder.string()));
+    throw files::FileError(fmt::format("cannot write {}: {} contains other files",
+                                       meant.string(), folder.string()));
 }
 
 void rename_folder(const fs::path& from, const fs::path& to) {
   std::error_code fault;
   fs::rename(from, to, fault);
   if (fault)
-    throw output::FileError("cannot write " + to.string() + ": " + fault.message());
+    throw files::FileError("cannot write " + to.string() + ": " + fault.message());
 }
 
 /// A folder of .vtu files that gets its name when it is complete. The destructor
 /// removes it unless it has got its name.
 class PieceFolder {
  public:
-  /// Throws output::FileError.
+  /// Throws files::FileError.
   explicit PieceFolder(fs::path name)
       : name_(std::move(name)), path_(name_.string() + ".tmp") {
     remove_older(path_, name_);  // a killed program may have left it
     std::error_code fault;
     if (!fs::create_directory(path_, fault))
-      throw output::FileError("cannot write " + name_.string() + ": " +
-                              fault.message());
+      throw files::FileError("cannot write " + name_.string() + ": " + fault.message());
   }
   ~PieceFolder() { remove_pieces(path_); }
   PieceFolder(const PieceFolder&) = delete;
   PieceFolder& operator=(const PieceFolder&) = delete;
 
   const fs::path& path() const { return path_; }
-  /// Renames the folder; an older one gets the ending .bak. Throws output::FileError.
+  /// Renames the folder; an older one gets the ending .bak. Throws files::FileError.
   void take_name() {
     std::error_code fault;
     if (fs::exists(fs::symlink_status(name_, fault))) {
@@ -178,7 +177,7 @@ class Collection {
                     time, in_xml(file));
   }
   void write(const std::string& path) const {
-    WholeFile file(path);
+    files::WholeFile file(path);
     file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
             "byte_order=\"LittleEndian\">\n<Collection>\n"
          << text_ << "</Collection>\n</VTKFile>\n";
@@ -196,7 +195,7 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
                       const std::function<void()>& may_stop) {
   const std::string name = fs::path(path).replace_extension().string();
   const fs::path folder = name + "_vtu";
-  const output::NameLock lock(folder.string(), path);
+  const files::NameLock lock(folder.string(), path);
   PieceFolder pieces(folder);
   SeriesFiles files{{path, name + "_contacts.pvd"}};
   Collection blocks, contacts;

@@ -21,7 +21,7 @@ struct SeriesFiles {
 /// data. NAME_contacts.pvd has the contacts as points with place, normal, force and
 /// overlap. An older folder is kept as NAME_vtu.bak. One frame is in memory at a time.
 /// may_stop: called before each frame. If it throws, no file is written or renamed.
-/// Throws output::FileError, also if another program is writing the series.
+/// Throws files::FileError, also if another program is writing the series.
 SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames,
                       const std::function<void()>& may_stop);
@@ -29,7 +29,7 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
 /// Writes NAME.csv, with a row for each block and time, and NAME_contacts.csv, with a
 /// row for each acting contact and time. Blocks have a column `parent` if some block
 /// has split: the block from which each one split off, 0: none. Numbers are written so
-/// that they can be read back exactly. may_stop: as above. Throws output::FileError.
+/// that they can be read back exactly. may_stop: as above. Throws files::FileError.
 SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames,
                       const std::function<void()>& may_stop);

@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "post/export/whole_file.hpp"
+#include "files/whole_file.hpp"
 
 namespace blocks::post {
 namespace {
@@ -76,7 +76,7 @@ void write_vtu(const std::string& path, const VtuGrid& grid) {
     head += data.array(one);
   head += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData "
           "encoding=\"raw\">\n_";
-  WholeFile file(path);
+  files::WholeFile file(path);
   file << head << data.bytes() << "\n</AppendedData>\n</VTKFile>\n";
   file.close();
 }

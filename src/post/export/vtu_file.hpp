@@ -30,7 +30,7 @@ struct VtuGrid {
 /// Returns the columns of a (2, n) matrix as points in space, (3 n).
 std::vector<double> in_space(const Eigen::Matrix2Xd& plane);
 
-/// Writes the file. Throws output::FileError if it cannot be written.
+/// Writes the file. Throws files::FileError if it cannot be written.
 void write_vtu(const std::string& path, const VtuGrid& grid);
 
 }  // namespace blocks::post

@@ -81,7 +81,7 @@ struct FigureOptions {
 /// are drawn side by side on one sheet with common scales. The file appears only when
 /// it is complete; an older one is kept as .bak. Reads one frame at a time. Throws
 /// std::runtime_error if there is no frame, or for an unknown extension, quantity or
-/// arrow name. Throws output::FileError if the file cannot be written.
+/// arrow name. Throws files::FileError if the file cannot be written.
 void draw_figure(const std::string& path, const ResultsReader& results,
                  const std::vector<long>& frames, const FigureOptions& options);
 

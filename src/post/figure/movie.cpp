@@ -14,8 +14,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
 #include "post/figure/figure_page.hpp"
 
 namespace blocks::post {
@@ -30,7 +29,7 @@ class Encoder {
   explicit Encoder(std::vector<std::string> arguments) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
-      throw output::FileError("cannot start ffmpeg: cannot create a pipe");
+      throw files::FileError("cannot start ffmpeg: cannot create a pipe");
     before_ = std::signal(SIGPIPE, SIG_IGN);  // write() reports it if ffmpeg has exited
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -56,7 +55,7 @@ class Encoder {
     if (fault != 0) {
       child_ = -1;
       finish();
-      throw output::FileError(
+      throw files::FileError(
           "a movie needs the program ffmpeg, which is not installed here\n  hint: apt "
           "install ffmpeg, or draw a picture with -o NAME.png");
     }
@@ -157,13 +156,13 @@ void draw_movie(const std::string& path, const ResultsReader& results,
             height = even(options.page.unit * page.height());
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
                         cairo_surface_destroy);
-  output::TemporaryFile temporary(path);  // also removes an incomplete movie
+  files::TemporaryFile temporary(path);  // also removes an incomplete movie
   Encoder encoder(ffmpeg(temporary.path(),
                          std::filesystem::path(path).extension() == ".gif", width,
                          height, rate));
   const auto expect = [&](bool well) {
     if (!well)
-      throw output::FileError("cannot write " + path + ": ffmpeg failed");
+      throw files::FileError("cannot write " + path + ": ffmpeg failed");
   };
   for_each_picture(results, frames, options, [&](std::size_t, const Picture& picture) {
     {

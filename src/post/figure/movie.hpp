@@ -13,7 +13,7 @@ bool is_movie(const std::string& path);
 
 /// Draws the frames with common scales, at `rate` pictures per second (0.1 to 100).
 /// Only one frame is in memory at a time. The file appears only when it is complete; an
-/// older one is kept as .bak. Throws output::FileError if ffmpeg is missing or fails,
+/// older one is kept as .bak. Throws files::FileError if ffmpeg is missing or fails,
 /// and std::runtime_error as draw_figure does.
 void draw_movie(const std::string& path, const ResultsReader& results,
                 const std::vector<long>& frames, double rate,

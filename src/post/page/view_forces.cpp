@@ -1,4 +1,5 @@
 #include "post/page/view_forces.hpp"
+#include "files/file_error.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-
-#include "output/results.hpp"
 
 namespace blocks::post {
 
@@ -21,7 +20,7 @@ void ViewForces::add_frame(const FrameContacts& contacts, const ViewShapes& shap
       continue;
     const int corner = shapes.corner_index(block, contacts.corner[k]);
     if (corner < 0)
-      throw output::FileError(
+      throw files::FileError(
           fmt::format("cannot read {}: it is damaged: a contact is at corner {} of "
                       "block {}, which has {}",
                       path, contacts.corner[k], block, shapes.corners_of(block)));

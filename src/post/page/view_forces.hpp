@@ -14,7 +14,7 @@ namespace blocks::post {
 class ViewForces {
  public:
   /// Adds the contacts of the last frame of the shapes. path: of the results, for the
-  /// message. Throws output::FileError if a corner does not exist.
+  /// message. Throws files::FileError if a corner does not exist.
   void add_frame(const FrameContacts& contacts, const ViewShapes& shapes,
                  const std::string& path);
   /// Adds the arrays of the page. corners: number of corners of all shapes.

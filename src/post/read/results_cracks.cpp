@@ -21,8 +21,7 @@ double Crack::angle() const {
 
 hsize_t ResultsReader::File::count_cracks(hsize_t i) const {
   // A run that was interrupted while it added the group left it without a count.
-  if (!output::hdf5::exists(own.get(), "cracks") ||
-      !output::hdf5::exists(own.get(), crack_counts))
+  if (!hdf5::exists(own.get(), "cracks") || !hdf5::exists(own.get(), crack_counts))
     return 0;
   Column counts = Column::open(own.get(), crack_counts);
   if (counts.rows() <= i)
@@ -89,8 +88,8 @@ std::vector<Crack> ResultsReader::File::read_cracks() const {
 
 std::vector<int> ResultsReader::File::parents(hsize_t i, hsize_t n) const {
   // A run that was interrupted while it added the column left frames without an offset.
-  if (!output::hdf5::exists(vtk.get(), "CellData/Parent") ||
-      !output::hdf5::exists(steps.get(), "CellDataOffsets/Parent") ||
+  if (!hdf5::exists(vtk.get(), "CellData/Parent") ||
+      !hdf5::exists(steps.get(), "CellDataOffsets/Parent") ||
       Column::open(steps.get(), "CellDataOffsets/Parent").rows() <= i)
     return {};
   return cells<int>("Parent", i, n, 1);

@@ -81,14 +81,13 @@ std::vector<T> ResultsReader::File::read_late(const std::string& group,
                                               hsize_t rows, hsize_t width) const {
   const std::string data = group + "/" + name, places = group + "Offsets",
                     offsets = places + "/" + name;
-  if (!output::hdf5::exists(vtk.get(), group) || !output::hdf5::exists(vtk.get(), data))
+  if (!hdf5::exists(vtk.get(), group) || !hdf5::exists(vtk.get(), data))
     return {};
   Column stored = Column::open(vtk.get(), data);
   if (stored.width() != width)
     throw Failure(name + " has the wrong shape");
   // A run that was interrupted while it added the data left frames without an offset.
-  if (!output::hdf5::exists(steps.get(), places) ||
-      !output::hdf5::exists(steps.get(), offsets) ||
+  if (!hdf5::exists(steps.get(), places) || !hdf5::exists(steps.get(), offsets) ||
       Column::open(steps.get(), offsets).rows() <= i)
     return {};
   return stored.read<T>(step_value(offsets, i), rows);
@@ -96,8 +95,8 @@ std::vector<T> ResultsReader::File::read_late(const std::string& group,
 
 std::pair<hsize_t, hsize_t> ResultsReader::File::water_rows(const char* name,
                                                             hsize_t i) const {
-  if (!output::hdf5::exists(own.get(), "water") ||
-      !output::hdf5::exists(own.get(), "water/points_of_frame"))
+  if (!hdf5::exists(own.get(), "water") ||
+      !hdf5::exists(own.get(), "water/points_of_frame"))
     return {0, 0};
   Column stored = Column::open(own.get(), name);
   if (stored.width() != 2)
@@ -246,11 +245,11 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.strain_rate = tensors(cells<double>("StrainRate", i, n, 4));
   frame.cracks = static_cast<long>(count_cracks(i));
   frame.parent = parents(i, n);
-  if (output::hdf5::exists(vtk.get(), unbalanced_column)) {
+  if (hdf5::exists(vtk.get(), unbalanced_column)) {
     frame.unbalanced = vector(cells<double>("UnbalancedForce", i, n, 1));
     frame.unbalanced_ratio = field<double>("UnbalancedRatio", i);
   }
-  if (output::hdf5::exists(vtk.get(), local_ratio_column))
+  if (hdf5::exists(vtk.get(), local_ratio_column))
     frame.local_ratio = vector(cells<double>("LocalRatio", i, n, 1));
   read_outlines(i, part, n, frame);
   frame.water_force = in_plane(read_late<double>("CellData", "WaterForce", i, n, 3));
@@ -277,7 +276,7 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   rows.normal_force = vector(contact<double>("NormalForce", from, m, 1));
   rows.shear_force = vector(contact<double>("ShearForce", from, m, 1));
   rows.overlap = vector(contact<double>("Overlap", from, m, 1));
-  if (output::hdf5::exists(own.get(), last_state_column))
+  if (hdf5::exists(own.get(), last_state_column))
     rows.states = read_states(from, m);
   // Results of older programs do not have the planes.
   const std::int64_t planes = names.planes.empty()
@@ -299,18 +298,18 @@ std::vector<LawState> ResultsReader::File::read_states(hsize_t from, hsize_t m) 
 
 std::vector<RecordedHistory> ResultsReader::File::read_recorded() const {
   std::vector<RecordedHistory> sections;
-  const bool any = output::hdf5::exists(own.get(), "history");
+  const bool any = hdf5::exists(own.get(), "history");
   for (int number = 1; any; ++number) {
     const std::string place = "history/" + std::to_string(number);
-    if (!output::hdf5::exists(own.get(), place))
+    if (!hdf5::exists(own.get(), place))
       break;
-    const Handle group = output::hdf5::open_group(own.get(), place);
+    const Handle group = hdf5::open_group(own.get(), place);
     RecordedHistory section;
-    section.interval = output::hdf5::read_real_attribute(group.get(), "interval");
-    std::istringstream lines(output::hdf5::read_text(group.get(), "quantities"));
+    section.interval = hdf5::read_real_attribute(group.get(), "interval");
+    std::istringstream lines(hdf5::read_text(group.get(), "quantities"));
     for (std::string name; std::getline(lines, name);)
       section.quantities.push_back(name);
-    const auto rows = output::hdf5::read_attribute(group.get(), "rows");
+    const auto rows = hdf5::read_attribute(group.get(), "rows");
     Column time = Column::open(group.get(), "time"),
            values = Column::open(group.get(), "values");
     if (rows < 0 || time.width() != 1 || values.width() != section.quantities.size())

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "output/hdf5_handle.hpp"
-#include "output/results.hpp"
-#include "output/results_errors.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/results_mark.hpp"
 #include "output/results_names.hpp"
 #include "post/read/frame_units.hpp"
@@ -17,9 +15,9 @@
 
 namespace blocks::post {
 
-using output::hdf5::Column;
-using output::hdf5::Failure;
-using output::hdf5::Handle;
+using hdf5::Column;
+using hdf5::Failure;
+using hdf5::Handle;
 
 /// The column of the states of laws that a run makes last.
 inline constexpr const char* last_state_column = "contacts/Length";

@@ -8,9 +8,9 @@
 #include <optional>
 #include <tuple>
 
-#include "output/hdf5_handle.hpp"
-#include "output/results.hpp"
-#include "output/results_errors.hpp"
+#include "files/file_access_guard.hpp"
+#include "files/hdf5_errors.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/results_mark.hpp"
 #include "output/results_names.hpp"
 #include "post/read/frame_units.hpp"
@@ -46,17 +46,16 @@ void ResultsReader::File::open() {
     throw Failure(fault);
   for (Handle* handle : {&own, &steps, &vtk, &file})
     *handle = Handle();  // HDF5 caches data of an open file
-  file = output::hdf5::open_file(path, false);
-  if (!output::hdf5::exists(file.get(), "VTKHDF") ||
-      !output::hdf5::exists(file.get(), "BLOCKS"))
+  file = hdf5::open_file(path, false);
+  if (!hdf5::exists(file.get(), "VTKHDF") || !hdf5::exists(file.get(), "BLOCKS"))
     throw Failure("it is not a results file of BLOCKS");
-  vtk = output::hdf5::open_group(file.get(), "VTKHDF");
-  steps = output::hdf5::open_group(vtk.get(), "Steps");
-  own = output::hdf5::open_group(file.get(), "BLOCKS");
+  vtk = hdf5::open_group(file.get(), "VTKHDF");
+  steps = hdf5::open_group(vtk.get(), "Steps");
+  own = hdf5::open_group(file.get(), "BLOCKS");
   if (!watch.still_named(path))
     throw Failure("another file has replaced it; try again");
   // Frames beyond NSteps are incomplete, or were cut off.
-  const auto frames = output::hdf5::read_attribute(steps.get(), "NSteps");
+  const auto frames = hdf5::read_attribute(steps.get(), "NSteps");
   if (frames <= 0)
     throw Failure("it has no frames yet");
   if (static_cast<std::size_t>(frames) < times.size())
@@ -88,35 +87,35 @@ auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
 
 ResultsReader::ResultsReader(const std::string& path)
     : file_(std::make_unique<File>(path)) {
-  const output::FileAccessGuard in_hand("read",
-                                        path);  // covers closing it after a failure
+  const files::FileAccessGuard in_hand("read",
+                                       path);  // covers closing it after a failure
   File& from = *file_;
   const auto read = [&] {
-    const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
+    const auto frames = hdf5::read_attribute(from.steps.get(), "NSteps");
     return std::tuple(Column::open(from.steps.get(), "Values")
                           .read<double>(0, static_cast<hsize_t>(frames)),
-                      output::hdf5::read_text(from.own.get(), "title"),
+                      hdf5::read_text(from.own.get(), "title"),
                       output::read_names(from.own.get()));
   };
   try {
     std::tie(from.times, from.title, from.names) =
-        output::with_file_errors("read", path, [&] { return from.soundly(read); });
+        files::with_file_errors("read", path, [&] { return from.soundly(read); });
     if (!std::all_of(from.times.begin(), from.times.end(),
                      [](double time) { return std::isfinite(time); }))
-      throw output::FileError(
+      throw files::FileError(
           fmt::format("cannot read {}: Values are not finite", path));
     if (from.names.units.known())
       from.units = from.names.units;
-  } catch (const output::FileError& error) {
+  } catch (const files::FileError& error) {
     file_.reset();
     const std::string words = error.what();
-    throw output::FileError(words.ends_with(busy) ? words
-                                                  : words + results_nearby(path));
+    throw files::FileError(words.ends_with(busy) ? words
+                                                 : words + results_nearby(path));
   }
 }
 
 ResultsReader::~ResultsReader() {
-  const output::FileAccessGuard in_hand("read", file_->path);
+  const files::FileAccessGuard in_hand("read", file_->path);
   file_.reset();
 }
 
@@ -163,8 +162,8 @@ void ResultsReader::show_in(const Units& units) {
 void ResultsReader::File::require(long i) const {
   const auto frames = static_cast<long>(times.size());
   if (i < 0 || i >= frames)
-    throw output::FileError(path + " has frames 0 to " + std::to_string(frames - 1) +
-                            ", not " + std::to_string(i));
+    throw files::FileError(path + " has frames 0 to " + std::to_string(frames - 1) +
+                           ", not " + std::to_string(i));
 }
 
 void ResultsReader::make_compression_positive() { file_->compression_positive = true; }
@@ -175,7 +174,7 @@ bool ResultsReader::is_compression_positive() const {
 
 Frame ResultsReader::frame(long i) const {
   file_->require(i);
-  Frame frame = output::with_file_errors("read", file_->path, [&] {
+  Frame frame = files::with_file_errors("read", file_->path, [&] {
     return file_->soundly([&] { return file_->read(static_cast<hsize_t>(i)); });
   });
   convert(frame, file_->scale);
@@ -205,7 +204,7 @@ std::vector<std::vector<Eigen::Vector2d>> ResultsReader::last_outlines(long i) c
 
 FrameContacts ResultsReader::contacts(long i) const {
   file_->require(i);
-  FrameContacts contacts = output::with_file_errors("read", file_->path, [&] {
+  FrameContacts contacts = files::with_file_errors("read", file_->path, [&] {
     return file_->soundly(
         [&] { return file_->read_contacts(static_cast<hsize_t>(i)); });
   });
@@ -214,21 +213,21 @@ FrameContacts ResultsReader::contacts(long i) const {
 }
 
 bool ResultsReader::has_laws() const {
-  return output::with_file_errors("read", file_->path, [&] {
+  return files::with_file_errors("read", file_->path, [&] {
     return file_->soundly(
-        [&] { return output::hdf5::exists(file_->own.get(), last_state_column); });
+        [&] { return hdf5::exists(file_->own.get(), last_state_column); });
   });
 }
 
 bool ResultsReader::has_unbalanced() const {
-  return output::with_file_errors("read", file_->path, [&] {
+  return files::with_file_errors("read", file_->path, [&] {
     return file_->soundly(
-        [&] { return output::hdf5::exists(file_->vtk.get(), unbalanced_column); });
+        [&] { return hdf5::exists(file_->vtk.get(), unbalanced_column); });
   });
 }
 
 std::vector<Crack> ResultsReader::cracks() const {
-  std::vector<Crack> cracks = output::with_file_errors("read", file_->path, [&] {
+  std::vector<Crack> cracks = files::with_file_errors("read", file_->path, [&] {
     return file_->soundly([&] { return file_->read_cracks(); });
   });
   convert(cracks, file_->scale);
@@ -237,7 +236,7 @@ std::vector<Crack> ResultsReader::cracks() const {
 
 std::vector<RecordedHistory> ResultsReader::recorded() const {
   std::vector<RecordedHistory> sections =
-      output::with_file_errors("read", file_->path, [&] {
+      files::with_file_errors("read", file_->path, [&] {
         return file_->soundly([&] { return file_->read_recorded(); });
       });
   for (RecordedHistory& section : sections)

@@ -8,9 +8,9 @@
 #include <utility>
 #include <variant>
 
+#include "files/fnv1a.hpp"
 #include "geometry/joint_sources.hpp"
 #include "model/counted.hpp"
-#include "output/file_tools.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/cutting/set_start.hpp"
 #include "run/cutting/snap_proposal.hpp"
@@ -25,7 +25,7 @@ using geometry::JointSegment;
 constexpr double bytes_of_piece = 1900.0;
 
 std::uint64_t stream(const std::string& text) {
-  output::Fnv1a sum;
+  files::Fnv1a sum;
   sum.add(text.data(), text.size());
   return sum.value();
 }

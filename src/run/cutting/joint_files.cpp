@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "exchange/forms.hpp"
+#include "files/file_error.hpp"
 #include "geometry/polygon.hpp"
-#include "output/file_tools.hpp"
 #include "run/support/deck_file.hpp"
 
 namespace blocks::run {
@@ -52,7 +52,7 @@ std::optional<std::string> read(const FileOnCard& named,
   }
   try {
     return read_deck(path);
-  } catch (const output::FileError& fault) {
+  } catch (const files::FileError& fault) {
     diagnostics.error(named.file.where, named.card, fault.what(),
                       "a name is relative to the folder of the deck");
     return {};

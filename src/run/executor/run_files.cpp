@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "output/file_tools.hpp"
-#include "output/name_lock.hpp"
+#include "files/file_tools.hpp"
+#include "files/name_lock.hpp"
 #include "output/results_mark.hpp"
 #include "run/executor/saved_state.hpp"
 #include "run/support/shell_word.hpp"
@@ -36,7 +36,7 @@ bool may_overwrite(const std::string& name, const std::string& ending,
     return std::none_of(std::begin(endings), std::end(endings), [&](const char* kind) {
       return exists(name + kind + ending);  // their deck is unknown
     });
-  if (exists(listing) && !output::has_text(listing, 0, "BLOCKS "))
+  if (exists(listing) && !files::has_text(listing, 0, "BLOCKS "))
     return false;
   if (exists(summary + ending) && !exists(summary))
     return false;
@@ -63,8 +63,8 @@ void remove_leftovers(const std::string& name) {
       if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
         break;
       // The text at the head of a checkpoint is written last.
-      if (output::has_text(path, 0, "BLOCKS ") ||
-          output::has_text(path, 512, "\x89HDF\r\n\x1a\n"))
+      if (files::has_text(path, 0, "BLOCKS ") ||
+          files::has_text(path, 512, "\x89HDF\r\n\x1a\n"))
         std::filesystem::remove(path, ignored);
     }
 }
@@ -74,7 +74,7 @@ void remove_leftovers(const std::string& name) {
 void expect_idle(const std::string& name) {
   const std::string results = name + ".vtkhdf";
   if (output::is_being_written(results) || output::is_being_written(results + ".tmp"))
-    throw output::FileError(fmt::format(
+    throw files::FileError(fmt::format(
         "cannot write {}: another run is writing it; use -o NAME for other files",
         results));
 }
@@ -84,7 +84,7 @@ void expect_idle(const std::string& name) {
 const std::string& replaceable(const std::string& name) {
   expect_idle(name);
   for (const char* ending : endings)
-    output::expect_replaceable(name + ending);
+    files::expect_replaceable(name + ending);
   remove_leftovers(name);
   return name;
 }
@@ -92,7 +92,7 @@ const std::string& replaceable(const std::string& name) {
 [[noreturn]] void refuse_to_continue(const std::string& path,
                                      const std::string& checkpoint,
                                      const std::string& reason) {
-  throw output::FileError(
+  throw files::FileError(
       fmt::format("cannot continue {}: {}; use --restart {} -o NAME for new files",
                   path, reason, shell_word(checkpoint)));
 }
@@ -113,13 +113,13 @@ void expect_listing(const std::string& path, long bytes,
 
 /// Creates the listing, never through a link. Returns the path.
 std::string created(const std::string& path) {
-  output::create_new_file(path);
+  files::create_new_file(path);
   return path;
 }
 
 /// Truncates the listing to its length at the checkpoint. Returns the path.
 std::string cut(const std::string& path, long bytes) {
-  output::expect_replaceable(path);
+  files::expect_replaceable(path);
   std::error_code ignored;  // opening the listing reports errors
   std::filesystem::resize_file(path, static_cast<std::uintmax_t>(bytes), ignored);
   return path;
@@ -166,7 +166,7 @@ RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
 std::string RunFiles::step_aside(const std::string& path) {
   std::error_code ignored;  // opening the new file reports errors
   if (std::filesystem::is_regular_file(path, ignored)) {
-    output::move_file(path, path + older_.ending);
+    files::move_file(path, path + older_.ending);
     older_.paths.push_back(path);
   }
   return path;
@@ -252,8 +252,8 @@ output::Progress RunFiles::here(output::Progress progress) {
 
 std::string RunFiles::save(const std::string& path, const Model& model,
                            const output::Progress& progress) {
-  const output::NameLock lock(path.substr(0, path.size() - checkpoint_ending.size()),
-                              path);
+  const files::NameLock lock(path.substr(0, path.size() - checkpoint_ending.size()),
+                             path);
   const std::string warning = put_aside_unless_own(path, identity_);
   const output::Progress now = here(progress);
   checkpoint_at(path, model, now, {now.frames, now.listing_bytes});
@@ -264,7 +264,7 @@ std::string RunFiles::keep_state(const std::string& ending, const std::string& w
                                  const Model& before, const Model& after,
                                  const output::Progress& progress) {
   const std::string name = name_ + "." + ending;
-  const output::NameLock lock(name, name + ".vtkhdf");
+  const files::NameLock lock(name, name + ".vtkhdf");
   const bool is_own = !kept_.insert(ending).second || resumed_;
   if (is_own && may_overwrite(name, "", identity_))  // those of an earlier trial
     for (const char* kind : endings) {
@@ -284,12 +284,12 @@ std::string RunFiles::move_state_aside(const std::string& ending) {
   const std::string name = name_ + "." + ending, results = name + ".vtkhdf";
   if (!exists(results))
     return {};
-  const output::NameLock lock(name, results);
+  const files::NameLock lock(name, results);
   const std::string older = free_ending(name, identity_);
   const std::string warning = foreign(results, identity_, older);
   for (const char* kind : endings)
     if (exists(name + kind))
-      output::move_file(name + kind, name + kind + older);
+      files::move_file(name + kind, name + kind + older);
   return warning;
 }
 
@@ -299,7 +299,7 @@ void RunFiles::checkpoint_at(const std::string& path, const Model& model,
   results_->flush_history();
   for (const std::string& file : {results_path(), name_ + ".out"})
     if (std::filesystem::is_regular_file(file))
-      output::sync_file(file, file);
+      files::sync_file(file, file);
   output::write_checkpoint(path, model,
                            {identity_.deck_file, identity_.deck_text,
                             identity_.overrides, results_path(), results_->run_id(),

@@ -18,7 +18,7 @@ class RunFiles {
  public:
   /// Creates NAME.out and NAME.vtkhdf. Older files with these names get the ending
   /// .bak, or .bak2 and so on if files of another deck already have it. Throws
-  /// output::FileError.
+  /// files::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
   /// Continues NAME.out and NAME.vtkhdf after a checkpoint and discards what was
   /// written later. If existing files of that name belong to another run, it creates

@@ -6,8 +6,8 @@
 #include <map>
 #include <variant>
 
+#include "files/file_tools.hpp"
 #include "output/checkpoint.hpp"
-#include "output/file_tools.hpp"
 #include "run/support/deck_file.hpp"
 
 namespace blocks::run {
@@ -41,7 +41,7 @@ bool is_own(const std::string& path, const output::RunIdentity& identity) {
            info.overrides == identity.overrides &&
            fs::path(info.deck_file).filename() ==
                fs::path(identity.deck_file).filename();
-  } catch (const output::FileError&) {
+  } catch (const files::FileError&) {
     return false;
   }
 }
@@ -108,12 +108,12 @@ void check_saves(const deck::Deck& deck, const std::string& output_name,
 
 std::string put_aside_unless_own(const std::string& path,
                                  const output::RunIdentity& identity) {
-  output::expect_replaceable(path);
+  files::expect_replaceable(path);
   if (!is_there(path) || is_own(path, identity))
     return "";
   return fmt::format("{} was not written by this deck: the old file is kept with the "
                      "extension {}",
-                     path, output::set_aside(path));
+                     path, files::set_aside(path));
 }
 
 }  // namespace blocks::run

@@ -11,8 +11,8 @@
 #include <iterator>
 #include <variant>
 
-#include "output/file_tools.hpp"
-#include "output/results.hpp"
+#include "files/file_tools.hpp"
+#include "files/fnv1a.hpp"
 
 namespace blocks::run {
 namespace {
@@ -30,10 +30,10 @@ std::string read_deck(const std::string& path) {
   if (path == "-")
     return {std::istreambuf_iterator<char>(std::cin), {}};
   if (!is_open_stream(path) || std::filesystem::is_directory(path))
-    output::expect_regular(path);
+    files::expect_regular(path);
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw output::FileError("cannot read " + path + ": " + std::strerror(errno));
+    throw files::FileError("cannot read " + path + ": " + std::strerror(errno));
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -60,7 +60,7 @@ std::string file_sums(const deck::Deck& deck, const std::string& folder,
       return;  // reading the file reports the error
     std::ifstream in(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    output::Fnv1a sum;
+    files::Fnv1a sum;
     sum.add(bytes.data(), bytes.size());
     lines += fmt::format("{} in line {}: {} of fnv1a {}\n", card, where.line, what,
                          sum.text());

@@ -8,7 +8,7 @@
 
 namespace blocks::run {
 
-/// Reads a deck ("-": standard input). Throws output::FileError, also if it is a
+/// Reads a deck ("-": standard input). Throws files::FileError, also if it is a
 /// folder, a device or a FIFO. The exception is a stream that is already open:
 /// /dev/stdin, or one in /dev/fd.
 std::string read_deck(const std::string& path);

@@ -15,8 +15,8 @@
 #include "draw/axes.hpp"
 #include "draw/page_file.hpp"
 #include "draw/pen.hpp"
-#include "output/results.hpp"
-#include "post/export/whole_file.hpp"
+#include "files/file_error.hpp"
+#include "files/whole_file.hpp"
 #include "post/figure/two_squares.hpp"
 #include "post/read/quantity.hpp"
 
@@ -321,8 +321,8 @@ TEST(Figure, DoesNotReplaceAFifo) {
   const Folder folder;
   const std::string fifo = folder.file("p.svg");
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
-  EXPECT_THROW(write_page(fifo, 10, 10, [](cairo_t*) {}), output::FileError);
-  EXPECT_THROW(WholeFile{fifo}, output::FileError);
+  EXPECT_THROW(write_page(fifo, 10, 10, [](cairo_t*) {}), files::FileError);
+  EXPECT_THROW(files::WholeFile{fifo}, files::FileError);
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
 }
 

@@ -12,7 +12,7 @@
 #include <random>
 
 #include "draw/colour_map.hpp"
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 #include "output/sample_model.hpp"
 #include "post/page/view_data.hpp"
 #include "post/page/view_numbers.hpp"
@@ -223,8 +223,8 @@ TEST(View, RefusesAContactAtAMissingCorner) {
            preliminary() + rectangle(0, 0, 1, 1, true) + rectangle(0, 1, 1, 2) +
                "GRAVITY, 0, -10\nCYCLE, 40\n");
   {
-    using output::hdf5::check, output::hdf5::Handle;
-    const Handle file = output::hdf5::open_file((folder / "two.vtkhdf").string(), true);
+    using hdf5::check, hdf5::Handle;
+    const Handle file = hdf5::open_file((folder / "two.vtkhdf").string(), true);
     const Handle corner(H5Dopen2(file.get(), "BLOCKS/contacts/Corner", H5P_DEFAULT),
                         H5Dclose);
     const Handle space(H5Dget_space(corner.get()), H5Sclose);

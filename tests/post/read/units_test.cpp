@@ -221,9 +221,9 @@ TEST_F(NamedMaterials, AreListedWithTheirNames) {
 TEST(ResultsNames, AreNotWrittenForADeckWithoutThem) {
   const TemporaryFolder folder;
   run_text(folder, "plain", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
-  const auto file = output::hdf5::open_file((folder / "plain.vtkhdf").string(), false);
-  EXPECT_FALSE(output::hdf5::exists(file.get(), "BLOCKS/units"));
-  EXPECT_FALSE(output::hdf5::exists(file.get(), "BLOCKS/materials"));
+  const auto file = hdf5::open_file((folder / "plain.vtkhdf").string(), false);
+  EXPECT_FALSE(hdf5::exists(file.get(), "BLOCKS/units"));
+  EXPECT_FALSE(hdf5::exists(file.get(), "BLOCKS/materials"));
 }
 
 TEST(UnitScale, HasTheFactorOfEveryDimension) {

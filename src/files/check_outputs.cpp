@@ -1,13 +1,13 @@
-#include "output/check_outputs.hpp"
+#include "files/check_outputs.hpp"
 
 #include <unistd.h>
 
 #include <filesystem>
 #include <set>
 
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 
-namespace blocks::output {
+namespace blocks::files {
 
 namespace fs = std::filesystem;
 
@@ -33,4 +33,4 @@ void check_outputs(const std::vector<std::string>& paths) {
   }
 }
 
-}  // namespace blocks::output
+}  // namespace blocks::files

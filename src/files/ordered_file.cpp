@@ -1,4 +1,4 @@
-#include "output/ordered_file.hpp"
+#include "files/ordered_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 
-namespace blocks::output::hdf5 {
+namespace blocks::hdf5 {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
@@ -303,4 +303,4 @@ void write_in_order(hid_t file_access) {
   check(H5Pset_driver(file_access, driver(), nullptr));
 }
 
-}  // namespace blocks::output::hdf5
+}  // namespace blocks::hdf5

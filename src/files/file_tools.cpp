@@ -1,4 +1,4 @@
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <system_error>
 
-namespace blocks::output {
+namespace blocks::files {
 namespace {
 
 bool sync(const std::string& path, int flags) {
@@ -36,11 +36,6 @@ bool create_new(const std::string& path) {
 }
 
 }  // namespace
-
-void throw_errno(const char* verb, const std::string& path) {
-  throw FileError(fmt::format("cannot {} {}: {}", verb, path,
-                              std::generic_category().message(errno)));
-}
 
 void expect_replaceable(const std::string& path) {
   std::error_code ignored;
@@ -225,6 +220,10 @@ void sync_folder_of(const std::string& path) {
     throw_errno("write", path);
 }
 
-std::string Fnv1a::text() const { return fmt::format("{:016x}", state_); }
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::exists(a, ignored) && std::filesystem::exists(b, ignored) &&
+         std::filesystem::equivalent(a, b, ignored);
+}
 
-}  // namespace blocks::output
+}  // namespace blocks::files

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "output/results_mark.hpp"
+#include "files/opened_file.hpp"
 
-namespace blocks::output {
+namespace blocks::files {
 
 class NameLock {
  public:
@@ -25,4 +25,4 @@ class NameLock {
   OpenedFile file_;
 };
 
-}  // namespace blocks::output
+}  // namespace blocks::files

@@ -1,17 +1,13 @@
-// Helpers shared by the writers: file names in messages, replacing whole files, and a
-// hash over bytes.
+// What a file is before it is read or replaced, and writing whole files.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "output/results.hpp"
+#include "files/file_error.hpp"
 
-namespace blocks::output {
-
-/// Throws FileError: "cannot write NAME: " and the message of errno.
-[[noreturn]] void throw_errno(const char* verb, const std::string& path);
+namespace blocks::files {
 
 /// Throws FileError if `path` exists and is not a regular file, such as a link, a
 /// folder, a device or a FIFO. Call it before a new file replaces the old one or
@@ -81,20 +77,7 @@ void replace_file_keeping_older(const std::string& path, const std::string& cont
 void sync_file(const std::string& path, const std::string& meant);
 void sync_folder_of(const std::string& path);
 
-/// The FNV-1a hash, 64 bits.
-class Fnv1a {
- public:
-  void add(const void* data, std::size_t size) {
-    const auto* byte = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i)
-      state_ = (state_ ^ byte[i]) * 0x100000001B3ULL;
-  }
-  std::uint64_t value() const { return state_; }
-  /// The hash as 16 hexadecimal digits.
-  std::string text() const;
+/// Whether both names mean the same existing file.
+bool same_file(const std::string& a, const std::string& b);
 
- private:
-  std::uint64_t state_ = 0xCBF29CE484222325ULL;
-};
-
-}  // namespace blocks::output
+}  // namespace blocks::files

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "output/file_access_guard.hpp"
-#include "output/hdf5_handle.hpp"
-#include "output/results.hpp"
+#include "files/file_access_guard.hpp"
+#include "files/file_error.hpp"
+#include "files/hdf5_handle.hpp"
 
-namespace blocks::output {
+namespace blocks::files {
 
 /// Runs `action` and converts hdf5::Failure to FileError: "cannot write NAME: reason".
 template <class Action>
@@ -20,4 +20,4 @@ auto with_file_errors(const char* verb, const std::string& path, Action&& action
   }
 }
 
-}  // namespace blocks::output
+}  // namespace blocks::files

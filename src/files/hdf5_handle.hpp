@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace blocks::output::hdf5 {
+namespace blocks::hdf5 {
 
 /// An HDF5 error and its reason. The file name is added by the caller.
 class Failure : public std::runtime_error {
@@ -152,4 +152,4 @@ class Column {
   hsize_t rows_ = 0, width_ = 0, chunk_rows_ = 1;
 };
 
-}  // namespace blocks::output::hdf5
+}  // namespace blocks::hdf5

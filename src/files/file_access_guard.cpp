@@ -1,4 +1,4 @@
-#include "output/file_access_guard.hpp"
+#include "files/file_access_guard.hpp"
 
 #include <sys/time.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <csignal>
 #include <string_view>
 
-namespace blocks::output {
+namespace blocks::files {
 namespace {
 
 thread_local const FileAccessGuard* in_hand = nullptr;
@@ -63,4 +63,4 @@ void tell_crashes_of_files(int code) {
     std::signal(signal, file_crash);
 }
 
-}  // namespace blocks::output
+}  // namespace blocks::files

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace blocks::output {
+namespace blocks::files {
 
 /// Marks the file that HDF5 is accessing during the lifetime of the object.
 class FileAccessGuard {
@@ -33,4 +33,4 @@ class FileAccessGuard {
 /// crashes are not affected.
 void tell_crashes_of_files(int code);
 
-}  // namespace blocks::output
+}  // namespace blocks::files

@@ -10,9 +10,9 @@
 
 #include <hdf5.h>
 
-namespace blocks::output::hdf5 {
+namespace blocks::hdf5 {
 
 /// Selects this driver for files opened with the access list. Throws Failure.
 void write_in_order(hid_t file_access);
 
-}  // namespace blocks::output::hdf5
+}  // namespace blocks::hdf5

@@ -1,20 +1,20 @@
-#include "post/export/whole_file.hpp"
+#include "files/whole_file.hpp"
 
 #include <utility>
 
-namespace blocks::post {
+namespace blocks::files {
 WholeFile::WholeFile(std::string path)
     : path_(std::move(path)), temporary_(path_),
       out_(temporary_.path(), std::ios::binary) {
   if (!out_)
-    output::throw_errno("write", path_);
+    throw_errno("write", path_);
 }
 
 void WholeFile::close() {
   if (!out_.flush())
-    output::throw_errno("write", path_);
+    throw_errno("write", path_);
   out_.close();
   temporary_.take_name_keeping_older();
 }
 
-}  // namespace blocks::post
+}  // namespace blocks::files

@@ -4,14 +4,14 @@
 #include <fstream>
 #include <string>
 
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 
-namespace blocks::post {
+namespace blocks::files {
 
 class WholeFile {
  public:
   /// Creates a temporary file. Without close(), it is removed. Throws
-  /// output::FileError.
+  /// FileError.
   explicit WholeFile(std::string path);
 
   WholeFile& operator<<(const std::string& text) {
@@ -19,13 +19,13 @@ class WholeFile {
     return *this;
   }
   /// Renames the file to PATH; an older one is kept as PATH.bak. Throws
-  /// output::FileError, for example if the disk is full.
+  /// FileError, for example if the disk is full.
   void close();
 
  private:
   std::string path_;
-  output::TemporaryFile temporary_;
+  TemporaryFile temporary_;
   std::ofstream out_;
 };
 
-}  // namespace blocks::post
+}  // namespace blocks::files

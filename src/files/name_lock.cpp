@@ -1,4 +1,4 @@
-#include "output/name_lock.hpp"
+#include "files/name_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,9 +10,9 @@
 #include <cerrno>
 #include <string_view>
 
-#include "output/file_tools.hpp"
+#include "files/file_tools.hpp"
 
-namespace blocks::output {
+namespace blocks::files {
 namespace {
 
 constexpr std::string_view head = "BLOCKS lock of ";
@@ -82,4 +82,4 @@ NameLock::~NameLock() {
     ::unlink(path_.c_str());
 }
 
-}  // namespace blocks::output
+}  // namespace blocks::files

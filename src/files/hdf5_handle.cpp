@@ -1,4 +1,4 @@
-#include "output/hdf5_handle.hpp"
+#include "files/hdf5_handle.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <new>
 
-#include "output/ordered_file.hpp"
+#include "files/ordered_file.hpp"
 
-namespace blocks::output::hdf5 {
+namespace blocks::hdf5 {
 namespace {
 
 herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
@@ -347,4 +347,4 @@ void Column::transfer(hsize_t row, hsize_t count, hid_t type, const void* from,
                                   H5P_DEFAULT, into));
 }
 
-}  // namespace blocks::output::hdf5
+}  // namespace blocks::hdf5
