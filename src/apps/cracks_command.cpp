@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "draw/number_text.hpp"
 #include "fault.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
@@ -16,6 +15,7 @@
 #include "post/export/cracks_table.hpp"
 #include "post/read/results_reader.hpp"
 #include "run/run.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -66,9 +66,8 @@ std::string summary_of(const ShownCracks& shown) {
   }
   return fmt::format(
       "{} ({} by stress, {} by point loads), energy released {:g} {}\n\n",
-      draw::counted(shown.cracks.size(), "crack"), shown.cracks.size() - by_points,
-      by_points, released,
-      post::unit_text({1, 1, -2, "J/m", ""}, shown.results.units()));
+      counted(shown.cracks.size(), "crack"), shown.cracks.size() - by_points, by_points,
+      released, post::unit_text({1, 1, -2, "J/m", ""}, shown.results.units()));
 }
 
 void print_cracks(const ShownCracks& shown, const CracksOptions& options) {

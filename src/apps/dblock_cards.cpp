@@ -9,8 +9,9 @@
 #include <string_view>
 
 #include "deck/free_field.hpp"
-#include "deck/suggest.hpp"
-#include "draw/number_text.hpp"
+#include "text/capitals.hpp"
+#include "text/counted.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -113,7 +114,7 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
     faults.error(line.fields.front().where, name,
                  card.min == card.max
                      ? fmt::format("expected {}, found {}",
-                                   draw::counted(card.min, "number"), values.size())
+                                   counted(card.min, "number"), values.size())
                      : fmt::format("expected {} to {} numbers, found {}", card.min,
                                    card.max, values.size()));
     sound = false;
@@ -124,7 +125,7 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
 }  // namespace
 
 std::optional<draw::Colour> named_colour(const std::string& name) {
-  if (const auto found = colours().find(deck::capitals(name)); found != colours().end())
+  if (const auto found = colours().find(text::capitals(name)); found != colours().end())
     return found->second;
   if (name.size() != 7 || name[0] != '#' ||
       name.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
@@ -151,10 +152,10 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
   }
   for (const deck::Line& line : deck::split_deck(text)) {
     const deck::Field& head = line.fields.front();
-    const std::string name = deck::capitals(head.text);
+    const std::string name = text::capitals(head.text);
     const auto found = table().find(name);
     if (found == table().end()) {
-      const std::string near = deck::suggest(name, names());
+      const std::string near = text::suggest(name, names());
       faults.error(head.where, {}, "DBLOCK has no card '" + head.text + "'",
                    near.empty()
                        ? fmt::format("its cards are {}", fmt::join(names(), ", "))

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "dblock_cards.hpp"
-#include "draw/number_text.hpp"
 #include "post/figure/figure_scales.hpp"
 #include "post/figure/movie.hpp"
 #include "post/read/material_list.hpp"
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -103,7 +103,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
       for (const long frame : chosen)
         print_corners(results.frame(frame));
     else
-      fmt::print("{}: {}, {:.3g} s\n", output, draw::counted(chosen.size(), "picture"),
+      fmt::print("{}: {}, {:.3g} s\n", output, counted(chosen.size(), "picture"),
                  static_cast<double>(chosen.size()) / rate);
     return run::done;
   }

@@ -12,7 +12,6 @@
 #include <string>
 
 #include "draw/joint_colours.hpp"
-#include "draw/number_text.hpp"
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
 #include "files/check_outputs.hpp"
@@ -26,6 +25,7 @@
 #include "post/read/results_reader.hpp"
 #include "quantities/units.hpp"
 #include "run/support/interrupt.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -209,9 +209,8 @@ void write_series(const ExportOptions& options, const std::string& format,
       write(options.output, results, frames, run::stop_if_interrupted);
   if (!options.input.quiet)
     fmt::print("{}: {}, {} of blocks and {} of contacts\n",
-               fmt::join(files.names, ", "), draw::counted(frames.size(), "time"),
-               draw::counted(static_cast<std::size_t>(files.blocks), "row"),
-               files.contacts);
+               fmt::join(files.names, ", "), counted(frames.size(), "time"),
+               counted(static_cast<std::size_t>(files.blocks), "row"), files.contacts);
 }
 
 int refuse(int code, const std::string& message) {
@@ -330,12 +329,12 @@ int export_blocks(ExportOptions options) {
   }
   files::replace_file_keeping_older(options.output, text);
   if (!options.input.quiet) {
-    fmt::print("{}: {}", options.output, draw::counted(scene.blocks.size(), "block"));
+    fmt::print("{}: {}", options.output, counted(scene.blocks.size(), "block"));
     if (scene.time)
       fmt::print(" at time {:g}", *scene.time);
     if (scene.removed > 0)
-      fmt::print("; {} left out", draw::counted(static_cast<std::size_t>(scene.removed),
-                                                "removed block"));
+      fmt::print("; {} left out",
+                 counted(static_cast<std::size_t>(scene.removed), "removed block"));
     if (format == "svg")
       fmt::print("; 1:{:.9g}{}", scale.scale,
                  scene.unit.empty() ? " if lengths are in m" : "");

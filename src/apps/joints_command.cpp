@@ -8,7 +8,6 @@
 #include <iostream>
 #include <set>
 
-#include "draw/number_text.hpp"
 #include "fault.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
@@ -17,6 +16,7 @@
 #include "joints/statistics.hpp"
 #include "option_checks.hpp"
 #include "run/run.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -227,7 +227,7 @@ int fit_joints(const JointsOptions& options) {
       throw std::runtime_error(fmt::format(
           "{}: {} of traces show{} no family of directions, and no joint set\n  hint: "
           "a set needs at least three traces; give a larger map",
-          map.name, draw::counted(network.pieces.size(), "part"),
+          map.name, counted(network.pieces.size(), "part"),
           network.pieces.size() == 1 ? "s" : ""));
     files::replace_file_keeping_older(deck, joints::fit_deck(fit, map, network));
     std::cout << (options.json ? joints::fit_json(fit, map)

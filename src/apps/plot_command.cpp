@@ -13,7 +13,6 @@
 #include "dblock_cards.hpp"
 #include "dblock_plots.hpp"
 #include "deck/free_field.hpp"
-#include "draw/number_text.hpp"
 #include "files/check_outputs.hpp"
 #include "plot_frames.hpp"
 #include "post/chart/joints_figure.hpp"
@@ -24,6 +23,8 @@
 #include "quantities/statistic.hpp"
 #include "quoted_list.hpp"
 #include "run/run.hpp"
+#include "text/capitals.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -174,7 +175,7 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
   }
   for (const char* name : {"material", "family", "joint", "bond", "opening",
                            "shear_displacement", "water_pressure"})
-    if (deck::capitals(figure.colour) == deck::capitals(name))
+    if (text::capitals(figure.colour) == text::capitals(name))
       figure.colour = name;
   figure.page = options.size.page();
 }
@@ -340,7 +341,7 @@ int plot(PlotOptions options) {
     if (post::is_movie(options.output)) {
       post::draw_movie(options.output, results, frames, rate, options.figure);
       fmt::print("{}: {}, {:.3g} s\n", options.output,
-                 draw::counted(frames.size(), "picture"),
+                 counted(frames.size(), "picture"),
                  static_cast<double>(frames.size()) / rate);
     } else {
       options.figure.requested_times = options.times;

@@ -6,15 +6,15 @@
 #include <csignal>
 
 #include "command_pages.hpp"
-#include "deck/roff.hpp"
 #include "manual_command.hpp"
 #include "option_text.hpp"
 #include "run/run.hpp"
+#include "text/roff.hpp"
 
 namespace blocks::apps {
 namespace {
 
-namespace roff = deck::roff;
+namespace roff = text::roff;
 
 /// Returns the names and the value of an option, such as "-o, --output FILE".
 std::string option_term(const CLI::Option& option) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "deck/suggest.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
 #include "option_checks.hpp"
@@ -14,6 +13,7 @@
 #include "study/figure.hpp"
 #include "study/report.hpp"
 #include "sweep/study_tables.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -32,7 +32,7 @@ bool looks_like_deck(const std::string& name) {
 
 std::string did_you_mean(const std::string& word,
                          const std::vector<std::string_view>& names) {
-  const std::string near = deck::suggest(word, names);
+  const std::string near = text::suggest(word, names);
   return near.empty() ? std::string() : fmt::format("; did you mean {}?", near);
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/suggest.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -21,7 +21,7 @@ std::string tell_wrong_command(const CLI::App& app, const std::string& word,
   std::vector<std::string_view> names;
   for (const CLI::App* command : app.get_subcommands({}))
     names.emplace_back(command->get_name());
-  return message("there is no command " + word, deck::suggest(word, names), path);
+  return message("there is no command " + word, text::suggest(word, names), path);
 }
 
 std::string tell_wrong_option(const CLI::App& app, const std::string& word,
@@ -30,7 +30,7 @@ std::string tell_wrong_option(const CLI::App& app, const std::string& word,
   for (const CLI::Option* option : app.get_options())
     for (const std::string& name : option->get_lnames())
       names.emplace_back(name);
-  const std::string near = deck::suggest(std::string_view(word).substr(2), names);
+  const std::string near = text::suggest(std::string_view(word).substr(2), names);
   return message(fmt::format("{} has no option {}", path, word),
                  near.empty() ? near : "--" + near, path);
 }

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "deck/suggest.hpp"
+#include "text/capitals.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -47,7 +48,7 @@ void report_quotes(const Field& field, std::string_view card,
 Value read_word(const Field& field, const FieldSpec& spec, std::string_view card,
                 Diagnostics& diagnostics) {
   Value value{.where = field.where, .given = true, .ok = true};
-  value.word = spec.choices.empty() ? field.text : capitals(field.text);
+  value.word = spec.choices.empty() ? field.text : text::capitals(field.text);
   if (!spec.choices.empty()) {
     for (const std::string_view choice : spec.choices) {
       if (value.word == choice) {
@@ -62,7 +63,7 @@ Value read_word(const Field& field, const FieldSpec& spec, std::string_view card
     diagnostics.error(field.where, std::string(card),
                       fmt::format("{} must be {} or blank, found {}", spec.name,
                                   allowed, shown(field.text)),
-                      did_you_mean(suggest(field.text, spec.choices)));
+                      did_you_mean(text::suggest(field.text, spec.choices)));
   }
   return value;
 }
@@ -187,7 +188,7 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
     const CardSpec* spec = find_card(name);
     if (spec == nullptr) {
       diagnostics.error(where, "", fmt::format("unknown card {}", shown(name)),
-                        did_you_mean(suggest(name, card_names())));
+                        did_you_mean(text::suggest(name, card_names())));
       continue;
     }
     const std::optional<long> number = number_in_brackets(set.card);
@@ -205,7 +206,7 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
         names.push_back(field.name);
         list += (list.empty() ? "" : ", ") + std::string(field.name);
       }
-      std::string hint = did_you_mean(suggest(set.field, names));
+      std::string hint = did_you_mean(text::suggest(set.field, names));
       if (hint.empty()) {
         hint = list.empty()        ? "this card has no fields"
                : names.size() == 1 ? "its only field is " + list
@@ -237,8 +238,8 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
     for (Field& field : fields) {
       field.where = where;
     }
-    out.push_back(
-        {std::string(spec->name), capitals(set.field), *number, std::move(fields)});
+    out.push_back({std::string(spec->name), text::capitals(set.field), *number,
+                   std::move(fields)});
   }
   return out;
 }

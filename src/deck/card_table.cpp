@@ -6,6 +6,7 @@
 #include "deck/problem_cards.hpp"
 #include "deck/ranges.hpp"
 #include "geometry/vec2.hpp"
+#include "text/capitals.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -223,7 +224,7 @@ std::string CardSpec::syntax() const {
 
 std::optional<std::size_t> CardSpec::find_field(std::string_view field) const {
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (capitals(fields[i].name) == capitals(field)) {
+    if (text::capitals(fields[i].name) == text::capitals(field)) {
       return i;
     }
   }
@@ -243,7 +244,7 @@ const std::vector<CardSpec>& card_table() {
 }
 
 const CardSpec* find_card(std::string_view name) {
-  const std::string wanted = capitals(name);
+  const std::string wanted = text::capitals(name);
   for (const CardSpec& card : card_table()) {
     if (card.name == wanted) {
       return &card;

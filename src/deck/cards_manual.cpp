@@ -5,10 +5,12 @@
 #include "deck/card_descriptions.hpp"
 #include "deck/card_table.hpp"
 #include "deck/cards_text.hpp"
-#include "deck/roff.hpp"
+#include "text/roff.hpp"
 
 namespace blocks::deck {
 namespace {
+
+namespace roff = text::roff;
 
 std::string field_item(const FieldSpec& field) {
   const std::string name = std::string(field.name) + (field.repeats ? "1, ..." : "");

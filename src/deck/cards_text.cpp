@@ -6,6 +6,7 @@
 
 #include "deck/card_descriptions.hpp"
 #include "deck/card_table.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -169,7 +170,9 @@ std::optional<std::string> card_page(std::string_view name) {
   return out + "\nExample\n" + indented(card->example, 2);
 }
 
-std::string suggest_card(std::string_view name) { return suggest(name, card_names()); }
+std::string suggest_card(std::string_view name) {
+  return text::suggest(name, card_names());
+}
 
 std::vector<std::string_view> reference_introduction() {
   return {

@@ -7,8 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/suggest.hpp"
-
 namespace blocks::deck {
 
 /// Returns one line per card, by group.

@@ -5,7 +5,8 @@
 #include <numeric>
 
 #include "deck/selector.hpp"
-#include "deck/suggest.hpp"
+#include "text/capitals.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -21,7 +22,7 @@ bool is_blank(const std::string& c) {
 }
 
 bool is_not_finite_word(std::string_view text) {
-  std::string word = capitals(text);
+  std::string word = text::capitals(text);
   if (!word.empty() && (word[0] == '+' || word[0] == '-')) {
     word.erase(0, 1);
   }
@@ -220,9 +221,9 @@ std::vector<Line> split_deck(std::string_view text) {
       continue;
     }
     // A misspelt START at the head of the deck is also followed by its title.
-    const std::string word = capitals(line.fields.front().text);
+    const std::string word = text::capitals(line.fields.front().text);
     if (word == "START" ||
-        (lines.empty() && !line.is_data() && !suggest(word, {"START"}).empty())) {
+        (lines.empty() && !line.is_data() && !text::suggest(word, {"START"}).empty())) {
       line.title_where = line.end;
       if (i + 1 < source.size()) {
         std::string title = source[++i];
@@ -235,16 +236,6 @@ std::vector<Line> split_deck(std::string_view text) {
     lines.push_back(std::move(line));
   }
   return lines;
-}
-
-std::string capitals(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) {
-    if (c >= 'a' && c <= 'z') {
-      c = static_cast<char>(c - 'a' + 'A');
-    }
-  }
-  return out;
 }
 
 Number read_number(std::string_view text) {

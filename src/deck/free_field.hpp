@@ -67,9 +67,6 @@ Line split_fields(std::string_view line, int number);
 /// line.
 std::vector<Line> split_deck(std::string_view text);
 
-/// Returns the text in capitals (ASCII letters only).
-std::string capitals(std::string_view text);
-
 enum class NumberFault { none, not_a_number, not_finite, too_small };
 
 struct Number {

@@ -35,9 +35,6 @@ struct Place {
 /// Fails unless `material` is a valid material number: 1 to 2147483647.
 void check_material(long material, const std::string& name, const Place& place);
 
-/// Returns "1 triangle", "12 quadrilaterals".
-std::string counted(std::size_t n, const std::string& noun);
-
 /// Returns the id without its sign, by which QMESH and Gmsh mark other properties. The
 /// smallest long has no positive counterpart; it is unchanged and rejected later.
 inline long magnitude(long id) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "deck/mesh_forms.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::deck::mesh {
 namespace {

@@ -15,6 +15,7 @@
 #include <limits>
 
 #include "deck/mesh_forms.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::deck {
 namespace mesh {
@@ -26,10 +27,6 @@ void fail(const Place& place, const std::string& message, const std::string& hin
     throw MeshError(fmt::format("{}: record {}: {}", place.file, place.record, message),
                     hint);
   throw MeshError(fmt::format("{}: {}", place.file, message), hint);
-}
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
 bool turn_clockwise(MeshBlock& block) {

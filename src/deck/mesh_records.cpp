@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "deck/mesh_forms.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::deck::mesh {
 namespace {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "deck/mesh_forms.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::deck::mesh {
 namespace {

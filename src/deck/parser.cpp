@@ -13,7 +13,8 @@
 #include "deck/cut_group.hpp"
 #include "deck/deck_text.hpp"
 #include "deck/known_materials.hpp"
-#include "deck/suggest.hpp"
+#include "text/capitals.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -78,7 +79,7 @@ const CardSpec* Parser::meant(const Line& line) {
   if (const CardSpec* spec = find_card(word)) {
     return spec;
   }
-  return find_card(suggest(word, card_names()));
+  return find_card(text::suggest(word, card_names()));
 }
 
 std::vector<std::string_view> Parser::names(const std::vector<Line>& lines) {
@@ -155,7 +156,7 @@ void Parser::unknown(const Line& line) {
     hint = fmt::format("did you mean {}?", spec->name);
   } else if (is_comment_of_fortran(word.text)) {
     hint = comment_hint;
-  } else if (capitals(word.text) == "RANDOM") {
+  } else if (text::capitals(word.text) == "RANDOM") {
     hint = "RANDOM is the last value of the LAYER card";
   }
   diagnostics_->error(word.where, "", fmt::format("unknown card {}", shown(word.text)),
@@ -334,7 +335,7 @@ bool Parser::title(Start& card, const Line& line) {
     if (find_card(word.text) != nullptr) {
       diagnostics_->warning(
           word.where, "START",
-          fmt::format("the title looks like the card {}", capitals(word.text)),
+          fmt::format("the title looks like the card {}", text::capitals(word.text)),
           "the line after START is always the title");
     }
   }

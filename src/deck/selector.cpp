@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "deck/free_field.hpp"
-#include "deck/suggest.hpp"
+#include "text/capitals.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -38,7 +39,7 @@ std::string lower(std::string_view capital_letters) {
 }
 
 const Form* find_form(std::string_view name) {
-  const std::string word = capitals(name);
+  const std::string word = text::capitals(name);
   const auto* const found = std::find_if(
       forms.begin(), forms.end(), [&](const Form& form) { return form.name == word; });
   return found == forms.end() ? nullptr : found;
@@ -129,7 +130,7 @@ Selector read_selector(std::string_view text) {
     std::vector<std::string_view> names;
     for (const Form& one : forms)
       names.push_back(one.name);
-    const std::string near = lower(suggest(std::string(name), names));
+    const std::string near = lower(text::suggest(std::string(name), names));
     throw SelectorFault(fmt::format("there is no selector '{}'", name),
                         near.empty() ? fmt::format("blocks: {}; sides: {}",
                                                    block_selectors, side_selectors)

@@ -12,9 +12,6 @@ std::string with_minus_signs(const std::string& words);
 /// Returns a power as superscript: "⁶", "⁻¹²".
 std::string superscript(int number);
 
-/// Returns a count with its noun: "1 picture", "3 pictures".
-std::string counted(std::size_t n, const std::string& thing);
-
 /// Returns a label with its unit: "speed [m/s]"; the label alone without a unit.
 std::string with_unit(const std::string& label, const std::string& unit);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "text/counted.hpp"
+
 namespace blocks::exchange {
 namespace {
 
@@ -94,11 +96,11 @@ std::string format(std::vector<Message> messages, const std::string& file,
     out += fmt::format("... and {} more not shown\n", messages.size() - max_shown);
   const auto errors = static_cast<std::size_t>(std::count_if(
       messages.begin(), messages.end(), [](const Message& m) { return m.error; }));
-  const auto counted = [](std::size_t n, const char* noun) {
-    return n == 0 ? "" : fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+  const auto if_any = [](std::size_t n, const char* noun) {
+    return n == 0 ? "" : counted(n, noun);
   };
-  const std::string warnings = counted(messages.size() - errors, "warning");
-  out += counted(errors, "error") + (errors > 0 && !warnings.empty() ? ", " : "") +
+  const std::string warnings = if_any(messages.size() - errors, "warning");
+  out += if_any(errors, "error") + (errors > 0 && !warnings.empty() ? ", " : "") +
          warnings + "\n";
   return out;
 }

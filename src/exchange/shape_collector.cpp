@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "text/counted.hpp"
+
 namespace blocks::exchange {
 namespace {
 
@@ -15,10 +17,6 @@ bool is_same(const geometry::Decimal& a, const geometry::Decimal& b) {
 
 bool is_same(const geometry::DecimalPoint& a, const geometry::DecimalPoint& b) {
   return is_same(a.x, b.x) && is_same(a.y, b.y);
-}
-
-std::string counted(std::size_t n, const char* noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
 }  // namespace

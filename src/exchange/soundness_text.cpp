@@ -4,16 +4,14 @@
 
 #include <algorithm>
 
+#include "text/counted.hpp"
+
 namespace blocks::exchange {
 namespace {
 
 constexpr std::size_t shown = 5;
 // Number of overlapping pairs listed, the largest ones.
 constexpr std::size_t max_pairs = 10;
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-}
 
 /// Returns a line "  ...\n" for each of the first few items.
 template <class Items, class Text>

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "draw/chart/rose_figure.hpp"
-#include "draw/number_text.hpp"
 #include "draw/page_file.hpp"
 #include "draw/pen.hpp"
 #include "joints/node_triangle.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::joints {
 namespace {
@@ -56,7 +56,7 @@ void draw_map(draw::Pen& pen, const std::vector<MapStatistics>& maps, std::size_
       {maps.size() > 1 ? fmt::format("{}  {}", k + 1, map.name) : map.name,
        fmt::format(
            "{}    P20 {:.3g} / L²    P21 {:.3g} / L    connections per branch {}",
-           draw::counted(map.network.pieces.size(), "trace"), map.density.p20.value,
+           counted(map.network.pieces.size(), "trace"), map.density.p20.value,
            map.density.p21.value,
            std::isfinite(connections) ? fmt::format("{:.3g}", connections)
                                       : std::string("-")),

@@ -10,7 +10,7 @@
 
 #include "geometry/block_shape.hpp"
 #include "geometry/rounding.hpp"
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks {
 namespace {

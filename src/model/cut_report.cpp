@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks {
 

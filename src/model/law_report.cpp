@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks {
 namespace {

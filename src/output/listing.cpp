@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "files/file_error.hpp"
-#include "model/counted.hpp"
 #include "output/listing_text.hpp"
 #include "quantities/energy.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::output {
 namespace {

@@ -14,12 +14,12 @@
 #include "dynamics/support/memory_pages.hpp"
 #include "files/file_tools.hpp"
 #include "files/name_lock.hpp"
-#include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 #include "run/builder/builder.hpp"
 #include "run/executor/continuation_hint.hpp"
 #include "run/executor/executor.hpp"
 #include "run/executor/saved_state.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "deck/suggest.hpp"
 #include "study/scene.hpp"
 #include "study/variants.hpp"
 #include "sweep/make_plan.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::sweep {
 namespace {
@@ -16,7 +16,7 @@ void expect_known(const char* what, const std::string& name,
                   const std::vector<std::string_view>& names) {
   if (std::find(names.begin(), names.end(), name) != names.end())
     return;
-  const std::string near = deck::suggest(name, names);
+  const std::string near = text::suggest(name, names);
   throw AxisFault(fmt::format("there is no {} '{}'", what, name),
                   (near.empty() ? "" : "did you mean " + near + "? ") +
                       "'blocks study contacts --list' shows scenes and variants");

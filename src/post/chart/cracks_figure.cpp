@@ -6,6 +6,7 @@
 
 #include "draw/chart/rose_figure.hpp"
 #include "draw/number_text.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::post {
 

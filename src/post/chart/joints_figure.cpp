@@ -7,6 +7,7 @@
 #include "draw/chart/rose_figure.hpp"
 #include "draw/number_text.hpp"
 #include "post/chart/joint_statistics.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::post {
 

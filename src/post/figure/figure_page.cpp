@@ -11,6 +11,7 @@
 #include "post/figure/figure_legend.hpp"
 #include "post/figure/scene_drawing.hpp"
 #include "post/read/quantity.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::post {
 

@@ -10,9 +10,9 @@
 #include "deck/mesh_readers.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "geometry/layer.hpp"
-#include "model/counted.hpp"
 #include "run/builder/face_joints.hpp"
 #include "run/support/contact_room.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

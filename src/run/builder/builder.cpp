@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "deck/mesh_readers.hpp"
-#include "model/counted.hpp"
 #include "model/drives.hpp"
 #include "model/safe_fraction.hpp"
 #include "run/builder/build_blocks.hpp"

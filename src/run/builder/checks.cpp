@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "dynamics/preparation/time_step.hpp"
-#include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 #include "model/safe_fraction.hpp"
 #include "run/builder/history_card.hpp"
 #include "run/plausibility/plane_check.hpp"
 #include "run/support/contact_room.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

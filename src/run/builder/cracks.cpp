@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

@@ -9,9 +9,9 @@
 #include "dynamics/preparation/in_situ.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/region.hpp"
-#include "model/counted.hpp"
 #include "model/removal.hpp"
 #include "run/support/number_ranges.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/suggest.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::run {
 namespace {
@@ -21,7 +21,7 @@ std::string nearest_quantity(const std::string& word) {
     names.push_back(kind.name);
   for (const auto& [name, kind] : quantities::other_kinds())
     names.push_back(name);
-  return deck::suggest(word, names);
+  return text::suggest(word, names);
 }
 
 std::string hint_for(const CurveFault& fault) {

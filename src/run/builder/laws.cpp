@@ -8,8 +8,8 @@
 
 #include "dynamics/preparation/bond.hpp"
 #include "geometry/angle.hpp"
-#include "model/counted.hpp"
 #include "model/drives.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

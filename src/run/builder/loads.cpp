@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "dynamics/domain.hpp"
-#include "model/counted.hpp"
 #include "run/builder/builder.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

@@ -7,9 +7,9 @@
 
 #include "dynamics/preparation/in_situ.hpp"
 #include "dynamics/preparation/in_situ_planes.hpp"
-#include "model/counted.hpp"
 #include "model/drives.hpp"
 #include "model/equilibrium.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "geometry/polygon.hpp"
-#include "model/counted.hpp"
 #include "run/builder/builder.hpp"
 #include "run/builder/history_card.hpp"
 #include "run/support/number_ranges.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

@@ -10,11 +10,11 @@
 
 #include "files/fnv1a.hpp"
 #include "geometry/joint_sources.hpp"
-#include "model/counted.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/cutting/set_start.hpp"
 #include "run/cutting/snap_proposal.hpp"
 #include "run/support/contact_room.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "geometry/cut.hpp"
 #include "geometry/polygon.hpp"
-#include "model/counted.hpp"
 #include "run/cutting/cut_joints.hpp"
 
 namespace blocks::run {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

@@ -10,13 +10,13 @@
 
 #include "dynamics/cracks/cracking.hpp"
 #include "dynamics/preparation/mass_scaling.hpp"
-#include "model/counted.hpp"
 #include "model/law_report.hpp"
 #include "model/safe_fraction.hpp"
 #include "run/executor/continuation_hint.hpp"
 #include "run/reports/profile_table.hpp"
 #include "run/support/interrupt.hpp"
 #include "run/watch/soundness.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

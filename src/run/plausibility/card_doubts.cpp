@@ -8,9 +8,9 @@
 #include "dynamics/preparation/time_step.hpp"
 #include "geometry/overlap.hpp"
 #include "geometry/polygon.hpp"
-#include "model/counted.hpp"
 #include "quantities/units.hpp"
 #include "run/support/number_ranges.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

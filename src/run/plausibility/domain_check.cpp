@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "dynamics/domain.hpp"
-#include "model/counted.hpp"
 #include "run/support/number_ranges.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "geometry/contact_predicates.hpp"
-#include "model/counted.hpp"
 #include "run/support/number_ranges.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

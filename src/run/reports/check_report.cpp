@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "dynamics/preparation/time_step.hpp"
-#include "model/counted.hpp"
 #include "model/crack_report.hpp"
 #include "model/cut_report.hpp"
 #include "model/law_report.hpp"
 #include "model/safe_fraction.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/counted.hpp"
 #include "model/cut_report.hpp"
 #include "run/reports/geometry_report.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

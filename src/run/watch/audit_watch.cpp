@@ -8,7 +8,7 @@
 #include "audit/story.hpp"
 #include "audit/words.hpp"
 #include "dynamics/search/list_tolerance.hpp"
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

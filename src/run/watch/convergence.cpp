@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "dynamics/preparation/mass_scaling.hpp"
-#include "model/counted.hpp"
 #include "model/equilibrium.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 

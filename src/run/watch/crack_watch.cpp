@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/counted.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::run {
 namespace {

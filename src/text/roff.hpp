@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace blocks::deck::roff {
+namespace blocks::text::roff {
 
 /// Returns plain text with the characters that are special in roff escaped.
 std::string text(std::string_view words);
@@ -24,4 +24,4 @@ std::string item(std::string_view term, std::string_view meaning);
 /// Returns the lines verbatim, in a fixed-width font.
 std::string example(std::string_view lines);
 
-}  // namespace blocks::deck::roff
+}  // namespace blocks::text::roff

@@ -1,10 +1,10 @@
-#include "deck/suggest.hpp"
+#include "text/suggest.hpp"
 
 #include <algorithm>
 
-#include "deck/free_field.hpp"
+#include "text/capitals.hpp"
 
-namespace blocks::deck {
+namespace blocks::text {
 namespace {
 
 /// Returns the optimal string alignment distance. Edits are: insert, delete, replace,
@@ -73,4 +73,4 @@ std::string suggest(std::string_view word,
   return best;
 }
 
-}  // namespace blocks::deck
+}  // namespace blocks::text

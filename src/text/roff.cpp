@@ -1,21 +1,10 @@
-#include "deck/roff.hpp"
+#include "text/roff.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
+#include "text/capitals.hpp"
 
-namespace blocks::deck::roff {
-namespace {
-
-std::string capitals(std::string_view words) {
-  std::string out(words);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return out;
-}
-
-}  // namespace
+namespace blocks::text::roff {
 
 std::string text(std::string_view words) {
   std::string out;
@@ -75,4 +64,4 @@ std::string example(std::string_view lines) {
   return fmt::format(".PP\n.RS 4\n.EX\n{}\n.EE\n.RE\n", text(lines));
 }
 
-}  // namespace blocks::deck::roff
+}  // namespace blocks::text::roff

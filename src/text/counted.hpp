@@ -1,4 +1,4 @@
-// Returns a count with its noun: "1 block", "3 blocks".
+// A count with its noun.
 #pragma once
 
 #include <concepts>
@@ -6,6 +6,7 @@
 
 namespace blocks {
 
+/// Returns "1 block", "3 blocks".
 std::string counted(std::integral auto n, const std::string& noun) {
   return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
