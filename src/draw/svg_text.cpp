@@ -6,29 +6,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "text/escaped.hpp"
+
 namespace blocks::draw {
 namespace {
 
 const cairo_user_data_key_t collector{};
-
-std::string escaped(const std::string& words) {
-  std::string text;
-  for (const char c : words)
-    switch (c) {
-    case '&':
-      text += "&amp;";
-      break;
-    case '<':
-      text += "&lt;";
-      break;
-    case '>':
-      text += "&gt;";
-      break;
-    default:
-      text += c;
-    }
-  return text;
-}
 
 }  // namespace
 
@@ -67,7 +50,7 @@ void SvgText::add(cairo_t* cairo, const TextLine& line) {
     elements_ += fmt::format(" stroke=\"{}\" stroke-width=\"{:.2f}\" "
                              "stroke-linejoin=\"round\" paint-order=\"stroke\"",
                              css(line.rim_colour), scale * line.rim);
-  elements_ += ">" + escaped(line.words) + "</text>\n";
+  elements_ += ">" + text::escaped(line.words) + "</text>\n";
 }
 
 std::string SvgText::inserted(std::string page) const {

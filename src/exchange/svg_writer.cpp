@@ -5,6 +5,7 @@
 
 #include "exchange/block_record.hpp"
 #include "exchange/joint_lines.hpp"
+#include "text/escaped.hpp"
 
 namespace blocks::exchange {
 namespace {
@@ -43,16 +44,6 @@ double round_up(double x) {
   return below < 1.5 * power   ? 2.0 * power
          : below < 3.0 * power ? 5.0 * power
                                : 10.0 * power;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '&'   ? "&amp;"
-           : c == '<' ? "&lt;"
-           : c == '"' ? "&quot;"
-                      : std::string(1, c);
-  return out;
 }
 
 std::string path_of(const geometry::Polygon& outline) {
@@ -119,7 +110,8 @@ std::string write_svg(const std::vector<BlockRecord>& blocks, const SvgScale& sc
                      "sans-serif\" font-size=\"{:.4g}\" fill=\"#222\">{:.9g}{} "
                      "&#160; 1:{:.9g}</text></g>\n</svg>\n",
                      x + bar + 2.0 * per_mm, y + 2.0 * per_mm, 3.2 * per_mm, bar,
-                     scale.unit.empty() ? "" : " " + escaped(scale.unit), scale.scale);
+                     scale.unit.empty() ? "" : " " + text::escaped(scale.unit),
+                     scale.scale);
   return svg;
 }
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "report/statistics.hpp"
+#include "text/escaped.hpp"
 
 namespace blocks::report {
 
-/// Returns the text with &, <, > and quotes escaped.
-std::string escaped(const std::string& text);
+using text::escaped;
 
 /// Returns the text as part of a URL of a file: everything except letters, digits and
 /// "-_.~/" is written as %XX.

@@ -10,6 +10,7 @@
 #include "post/export/vtu_file.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "post/read/quantity.hpp"
+#include "text/escaped.hpp"
 
 namespace blocks::post {
 namespace {
@@ -88,16 +89,6 @@ VtuGrid contact_grid(const FrameContacts& contacts) {
   return grid;
 }
 
-std::string in_xml(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    safe += c == '&'   ? "&amp;"
-            : c == '<' ? "&lt;"
-            : c == '"' ? "&quot;"
-                       : std::string(1, c);
-  return safe;
-}
-
 /// Whether write_pvd() gives files such names: blocks_07.vtu, contacts_07.vtu.
 bool is_piece(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -174,7 +165,7 @@ class Collection {
   void add(double time, const std::string& file) {
     text_ +=
         fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
-                    time, in_xml(file));
+                    time, text::escaped(file));
   }
   void write(const std::string& path) const {
     files::WholeFile file(path);
