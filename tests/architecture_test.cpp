@@ -110,6 +110,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "library",
                                             "library/blocks",
                                             "model",
+                                            "model/words",
                                             "output",
                                             "post/chart",
                                             "post/export",
@@ -332,6 +333,16 @@ TEST(Architecture, TheListOfStatesDependsOnTheStandardLibraryOnly) {
           << include.target;
     }
   EXPECT_GT(headers, 0);
+}
+
+// The state of a run knows nothing of messages.
+TEST(Architecture, TheModelHasNoWords) {
+  for (const Include& include : includes())
+    if (include.folder == "model") {
+      EXPECT_FALSE(include.target.starts_with("model/words/") ||
+                   folder_of(include.target) == "text")
+          << include.file << " includes " << include.target;
+    }
 }
 
 // Installed headers include no header that is not installed.

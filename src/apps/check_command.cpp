@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "files/check_outputs.hpp"
+#include "model/words/certificate_text.hpp"
 #include "post/figure/figure.hpp"
 #include "run/reports/geometry_report.hpp"
 

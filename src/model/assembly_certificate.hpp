@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "geometry/joints.hpp"
@@ -53,17 +52,5 @@ using SharedCertificate = std::shared_ptr<const AssemblyCertificate>;
 AssemblyCertificate certify_assembly(const Blocks& blocks, int moved = 0,
                                      const AssemblyCertificate& before = {},
                                      const geometry::ProgressFunction& progress = {});
-
-/// Returns the verdict in one line: "no two of 120 blocks overlap".
-std::string verdict(const AssemblyCertificate& certificate);
-
-/// Returns the numbers of gaps, of slits made by rounding and of T-junctions in one
-/// line, with the place of the widest gap: "1 gap, 0.0004 between blocks 1 and 4 at
-/// (-3, 0); 2 T-junctions".
-std::string joints_line(const AssemblyCertificate& certificate);
-
-/// Returns the lines of the listing: verdict, joints, and the first `max_pairs_named`
-/// pairs of each kind, with the number of further ones.
-std::string full_text(const AssemblyCertificate& certificate);
 
 }  // namespace blocks

@@ -55,11 +55,6 @@ struct DomainExit {
 struct MergeRecord {
   int layer = 0, absorbed = 0, into = 0;
   double width_to_height = 0.0, limit = 0.0;
-
-  /// Returns "0.125 < 0.2", with enough digits to distinguish the two. A block whose
-  /// width/height equals the limit is kept. If it is below the limit by less than
-  /// doubles resolve, the text says so.
-  std::string why() const;
 };
 
 /// Result of cutting the layer of one LAYER card.

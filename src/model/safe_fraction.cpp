@@ -1,10 +1,6 @@
 #include "model/safe_fraction.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-
-#include "model/crack_report.hpp"
 
 namespace blocks {
 
@@ -20,20 +16,6 @@ double safe_fraction(const Settings& settings) {
 
 double fraction_in_force(const Settings& settings) {
   return chooses_fraction(settings) ? safe_fraction(settings) : settings.fraction;
-}
-
-std::string limit_in_words(const TimeStep& step, const Settings& settings) {
-  std::string text = limit_in_words(step);
-  if (chooses_fraction(settings) && !step.elastic)
-    text += ", largest safe step with " + damping_in_words(settings);
-  return text;
-}
-
-std::string damping_in_words(const Settings& settings) {
-  return fmt::format("DAMPING {:g}", settings.damping) +
-         (settings.local_damping > 0.0
-              ? fmt::format(" and LOCDAMP {:g}", settings.local_damping)
-              : "");
 }
 
 }  // namespace blocks

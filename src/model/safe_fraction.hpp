@@ -2,8 +2,6 @@
 // (docs/theory.md#time-step).
 #pragma once
 
-#include <string>
-
 #include "model/model.hpp"
 
 namespace blocks {
@@ -29,12 +27,5 @@ double safe_fraction(const Settings& settings);
 /// Returns TFRAC of FRACTION or, if the deck leaves it to the program, the safe
 /// fraction for the damping in force and usual_contacts.
 double fraction_in_force(const Settings& settings);
-
-/// Returns what limits a time step: limit_in_words(), and the damping for which it is
-/// safe if the program chose it.
-std::string limit_in_words(const TimeStep& step, const Settings& settings);
-
-/// Returns "DAMPING 0.5", with LOCDAMP if it acts.
-std::string damping_in_words(const Settings& settings);
 
 }  // namespace blocks

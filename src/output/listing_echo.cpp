@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
-#include "model/crack_report.hpp"
-#include "model/cut_report.hpp"
-#include "model/law_report.hpp"
 #include "model/safe_fraction.hpp"
+#include "model/words/crack_report.hpp"
+#include "model/words/cut_report.hpp"
+#include "model/words/law_report.hpp"
+#include "model/words/merge_reason.hpp"
+#include "model/words/time_step_text.hpp"
 
 namespace blocks::output {
 namespace {
@@ -222,8 +224,9 @@ std::string layers_echo(const Model& model) {
     for (const MergeRecord& merge : model.merges)
       text += whole(merge.layer) + whole(merge.absorbed) + whole(merge.into) +
               number(merge.width_to_height) + number(merge.limit) +
-              (number(merge.width_to_height) == number(merge.limit) ? "  " + merge.why()
-                                                                    : std::string()) +
+              (number(merge.width_to_height) == number(merge.limit)
+                   ? "  " + merge_reason(merge)
+                   : std::string()) +
               "\n";
   }
   return text;

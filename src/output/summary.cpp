@@ -8,8 +8,9 @@
 
 #include "files/file_tools.hpp"
 #include "files/fnv1a.hpp"
-#include "model/crack_report.hpp"
 #include "model/drives.hpp"
+#include "model/words/certificate_text.hpp"
+#include "model/words/crack_report.hpp"
 #include "output/cuts_json.hpp"
 #include "quantities/energy.hpp"
 

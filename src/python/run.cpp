@@ -17,6 +17,7 @@
 #include "errors.hpp"
 #include "files/file_tools.hpp"
 #include "library/deck_messages.hpp"
+#include "model/words/certificate_text.hpp"
 #include "names.hpp"
 #include "run/reports/check_report.hpp"
 #include "run/support/interrupt.hpp"

@@ -15,6 +15,7 @@
 #include "files/file_tools.hpp"
 #include "files/name_lock.hpp"
 #include "model/equilibrium.hpp"
+#include "model/words/certificate_text.hpp"
 #include "run/builder/builder.hpp"
 #include "run/executor/continuation_hint.hpp"
 #include "run/executor/executor.hpp"

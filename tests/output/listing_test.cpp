@@ -5,6 +5,8 @@
 
 #include "sample_model.hpp"
 
+#include "model/words/merge_reason.hpp"
+
 namespace blocks::output {
 namespace {
 
@@ -46,9 +48,9 @@ TEST(Listing, IsTheRecordedText) {
 
 // The numbers have enough digits to differ.
 TEST(MergeRecord, ShowsThatTheWidthIsLessThanTheLimit) {
-  EXPECT_EQ((MergeRecord{1, 2, 3, 0.125, 0.2}.why()), "0.125 < 0.2");
-  EXPECT_EQ((MergeRecord{1, 2, 3, 3 - 0x1p-40, 3}.why()), "2.999999999999 < 3");
-  EXPECT_EQ((MergeRecord{1, 2, 3, 3, 3}.why()),
+  EXPECT_EQ(merge_reason(MergeRecord{1, 2, 3, 0.125, 0.2}), "0.125 < 0.2");
+  EXPECT_EQ(merge_reason(MergeRecord{1, 2, 3, 3 - 0x1p-40, 3}), "2.999999999999 < 3");
+  EXPECT_EQ(merge_reason(MergeRecord{1, 2, 3, 3, 3}),
             "just below 3, by less than doubles resolve");
 }
 

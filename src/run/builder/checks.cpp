@@ -9,6 +9,7 @@
 #include "dynamics/preparation/time_step.hpp"
 #include "model/equilibrium.hpp"
 #include "model/safe_fraction.hpp"
+#include "model/words/time_step_text.hpp"
 #include "run/builder/history_card.hpp"
 #include "run/plausibility/plane_check.hpp"
 #include "run/support/contact_room.hpp"

@@ -10,8 +10,8 @@
 
 #include "dynamics/cracks/cracking.hpp"
 #include "dynamics/preparation/mass_scaling.hpp"
-#include "model/law_report.hpp"
-#include "model/safe_fraction.hpp"
+#include "model/words/law_report.hpp"
+#include "model/words/time_step_text.hpp"
 #include "run/executor/continuation_hint.hpp"
 #include "run/reports/profile_table.hpp"
 #include "run/support/interrupt.hpp"

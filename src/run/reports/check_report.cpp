@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include "dynamics/preparation/time_step.hpp"
-#include "model/crack_report.hpp"
-#include "model/cut_report.hpp"
-#include "model/law_report.hpp"
-#include "model/safe_fraction.hpp"
+#include "model/words/certificate_text.hpp"
+#include "model/words/crack_report.hpp"
+#include "model/words/cut_report.hpp"
+#include "model/words/law_report.hpp"
+#include "model/words/merge_reason.hpp"
+#include "model/words/time_step_text.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::run {
@@ -39,7 +41,7 @@ std::string check_report(const std::string& file, const Model& model,
     text += fmt::format(
         "layer {}: block {} absorbed by {} (counted within the layer before MERGE): "
         "width/height {}\n",
-        merge.layer, merge.absorbed, merge.into, merge.why());
+        merge.layer, merge.absorbed, merge.into, merge_reason(merge));
   for (const CutRecord& cut : model.cuts)
     text += cut_report(cut, model.joint_lengths);
   text += law_report(model);

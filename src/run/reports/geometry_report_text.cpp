@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/cut_report.hpp"
+#include "model/words/certificate_text.hpp"
+#include "model/words/cut_report.hpp"
+#include "model/words/merge_reason.hpp"
 #include "run/reports/geometry_report.hpp"
 #include "text/counted.hpp"
 
@@ -100,7 +102,7 @@ std::string layers(const GeometryReport& report) {
   for (const MergeRecord& merge : report.merges)
     text += fmt::format("  layer {}: MERGE: block {} absorbed by {} (counted within "
                         "the layer before MERGE), width/height {}\n",
-                        merge.layer, merge.absorbed, merge.into, merge.why());
+                        merge.layer, merge.absorbed, merge.into, merge_reason(merge));
   for (const CutRecord& cut : report.cuts)
     text += "  " + indented(cut_report(cut, report.joint_lengths));
   return text;

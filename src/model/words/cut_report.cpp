@@ -1,4 +1,4 @@
-#include "model/cut_report.hpp"
+#include "model/words/cut_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "model/law_report.hpp"
+#include "model/words/law_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "model/crack_report.hpp"
+#include "model/words/crack_report.hpp"
 
 #include <fmt/format.h>
 
@@ -35,12 +35,6 @@ std::string crack_report(const Settings& settings) {
                           named_material(settings, number), material.damping,
                           settings.rigid ? ", without effect on rigid blocks" : "");
   return text;
-}
-
-std::string limit_in_words(const TimeStep& step, const std::string& elasticity) {
-  if (step.pieces)
-    return (step.elastic ? "the " + elasticity : "contact") + " of a piece of it";
-  return step.elastic ? "its " + elasticity : "contact";
 }
 
 }  // namespace blocks
