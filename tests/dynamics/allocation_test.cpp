@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "model/drives.hpp"
-#include "sanitized.hpp"
 #include "scenes/scene.hpp"
+#include "tools/sanitized.hpp"
 
 #if defined(__GLIBC__) && !defined(BLOCKS_SANITIZED)
 

@@ -10,8 +10,8 @@
 #include "dynamics/energy/block_energy.hpp"
 #include "dynamics/preparation/time_step.hpp"
 #include "dynamics/stepper.hpp"
-#include "output/fields.hpp"
 #include "scenes/joint_law.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

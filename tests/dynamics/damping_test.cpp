@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "dynamics/stepper.hpp"
-#include "output/fields.hpp"
 #include "scenes/scene.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

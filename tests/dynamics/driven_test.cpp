@@ -7,8 +7,8 @@
 #include "dynamics/stepper.hpp"
 #include "model/drives.hpp"
 #include "model/removal.hpp"
-#include "output/fields.hpp"
 #include "scenes/scene.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

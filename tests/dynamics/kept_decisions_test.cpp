@@ -12,8 +12,8 @@
 #include "dynamics/decisions/decisions.hpp"
 #include "dynamics/stepper.hpp"
 #include "geometry/contact_constants.hpp"
-#include "output/fields.hpp"
 #include "study/scene_builder.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks::dynamics {
 namespace {

@@ -11,7 +11,7 @@
 #include "dynamics/step.hpp"
 #include "dynamics/workspace.hpp"
 #include "model/safe_fraction.hpp"
-#include "run/rectangle.hpp"
+#include "tools/rectangle.hpp"
 
 namespace blocks::dynamics {
 namespace {

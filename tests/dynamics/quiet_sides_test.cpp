@@ -9,8 +9,8 @@
 #include "model/drives.hpp"
 #include "model/equilibrium.hpp"
 #include "model/removal.hpp"
-#include "output/fields.hpp"
 #include "scenes/scene.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

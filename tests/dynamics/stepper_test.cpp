@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
-#include "output/fields.hpp"
 #include "scenes/scene.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "run/rectangle.hpp"
+#include "tools/rectangle.hpp"
 
 namespace blocks::dynamics {
 namespace {

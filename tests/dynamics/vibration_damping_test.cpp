@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "output/fields.hpp"
 #include "scenes/scene.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

@@ -9,7 +9,7 @@
 #include "exchange/mutants.hpp"
 #include "exchange/soundness.hpp"
 #include "exchange/wkt_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::exchange {
 namespace {

@@ -16,7 +16,7 @@
 #include "exchange/wkt_reader.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/triangles.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::exchange {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/dxf_text.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -14,7 +14,7 @@
 #include "exchange/wkt_reader.hpp"
 #include "geometry/layer.hpp"
 #include "geometry/polygon.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::exchange {
 namespace {

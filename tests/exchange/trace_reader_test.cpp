@@ -10,7 +10,7 @@
 
 #include "exchange/geojson_reader.hpp"
 #include "exchange/mutants.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::exchange {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "model/drives.hpp"
-#include "run/rectangle.hpp"
+#include "tools/rectangle.hpp"
 
 namespace blocks {
 namespace {

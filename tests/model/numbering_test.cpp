@@ -12,7 +12,7 @@
 #include <set>
 #include <tuple>
 
-#include "output/fields.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <limits>
 
-#include "fields.hpp"
 #include "output/model_archive.hpp"
 #include "sample_model.hpp"
+#include "tools/fields.hpp"
 
 namespace blocks::output {
 namespace {

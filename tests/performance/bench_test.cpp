@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks {
 namespace {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

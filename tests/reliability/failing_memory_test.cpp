@@ -7,8 +7,8 @@
 
 #include "output/checkpoint.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
-#include "sanitized.hpp"
+#include "tools/program.hpp"
+#include "tools/sanitized.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <climits>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

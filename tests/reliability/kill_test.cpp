@@ -10,8 +10,8 @@
 
 #include "output/checkpoint.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
-#include "run/stored.hpp"
+#include "tools/program.hpp"
+#include "tools/stored.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "reliability/deck_trial.hpp"
-#include "run/program.hpp"
-#include "sanitized.hpp"
+#include "tools/program.hpp"
+#include "tools/sanitized.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "run/program.hpp"
-#include "sanitized.hpp"
+#include "tools/program.hpp"
+#include "tools/sanitized.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

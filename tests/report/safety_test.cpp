@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "run/program.hpp"
 #include "sweep/outcome.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

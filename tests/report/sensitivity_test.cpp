@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "run/program.hpp"
 #include "sweep/plan.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -2,7 +2,7 @@
 // NAME.expected has what `blocks run NAME.deck` prints on standard error.
 #include <gtest/gtest.h>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -1,7 +1,7 @@
 // A corner at a joint of a floor or wall moves as on a floor or wall of one block.
 #include <gtest/gtest.h>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "deck/card_table.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

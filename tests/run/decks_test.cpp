@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "output/checkpoint.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

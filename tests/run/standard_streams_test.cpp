@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

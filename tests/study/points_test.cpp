@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "../run/program.hpp"
 #include "run/run.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::sweep {
 namespace {

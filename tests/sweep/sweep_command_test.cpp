@@ -6,7 +6,7 @@
 #include <csignal>
 #include <string>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

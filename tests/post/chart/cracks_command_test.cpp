@@ -10,7 +10,7 @@
 #include "post/chart/cracks_figure.hpp"
 #include "post/chart/history.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

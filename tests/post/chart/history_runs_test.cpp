@@ -7,8 +7,8 @@
 
 #include "post/chart/run_band.hpp"
 #include "post/read/run_parts.hpp"
-#include "run/program.hpp"
-#include "run/stored.hpp"
+#include "tools/program.hpp"
+#include "tools/stored.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "post/chart/profile.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

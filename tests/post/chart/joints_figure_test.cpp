@@ -10,7 +10,7 @@
 #include "draw/axes.hpp"
 #include "draw/joint_colours.hpp"
 #include "post/chart/joint_statistics.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::post {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "post/read/quantity.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

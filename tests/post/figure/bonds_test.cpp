@@ -10,8 +10,8 @@
 #include "post/page/view_data.hpp"
 #include "post/read/joint_faces.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
 #include "scenes/joint_wall.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::post {
 

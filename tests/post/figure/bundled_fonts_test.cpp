@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -14,7 +14,7 @@
 #include "post/figure/figure.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "post/read/force_network.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

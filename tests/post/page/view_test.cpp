@@ -16,7 +16,7 @@
 #include "output/sample_model.hpp"
 #include "post/page/view_data.hpp"
 #include "post/page/view_numbers.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

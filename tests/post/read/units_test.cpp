@@ -10,7 +10,7 @@
 #include "output/results_names.hpp"
 #include "post/page/view_data.hpp"
 #include "post/read/quantity.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {

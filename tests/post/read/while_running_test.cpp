@@ -14,7 +14,7 @@
 #include "output/results_mark.hpp"
 #include "output/sample_model.hpp"
 #include "post/read/results_reader.hpp"
-#include "run/program.hpp"
+#include "tools/program.hpp"
 
 namespace blocks::testing {
 namespace {
