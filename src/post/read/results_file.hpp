@@ -1,7 +1,10 @@
-// An open results file: its groups and columns, and how frames are read from them. Only
-// results_reader.cpp, results_file.cpp and results_cracks.cpp use it.
+// An open results file: its groups and columns (results_file.cpp), and how frames are
+// read from them (results_frame.cpp, results_cracks.cpp). Only these files and
+// results_reader.cpp use it.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,6 +47,11 @@ struct ResultsReader::File {
   bool compression_positive = false;
 
   explicit File(const std::string& name) : path(name), watch(name) {}
+
+  /// How long to wait for a run that is writing a frame, [s]. It needs milliseconds,
+  /// but a disk may delay it.
+  static constexpr std::chrono::seconds patience{10};
+  static constexpr const char* busy = "a run is writing to it now; try again";
 
   /// Throws Failure.
   void open();
@@ -127,5 +135,28 @@ struct ResultsReader::File {
   std::vector<std::int64_t> read_corner_counts(hsize_t i) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
 };
+
+template <class Action>
+auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (const auto number = watch.settled(until)) {
+    try {
+      if (opened_at != number) {
+        opened_at.reset();
+        open();
+        opened_at = number;
+      }
+      auto result = action();
+      if (watch.number() == *number)
+        return result;
+    } catch (...) {  // also std::bad_alloc, after a size read during a change
+      if (watch.number() == *number)
+        throw;
+    }
+    if (std::chrono::steady_clock::now() > until)
+      break;
+  }
+  throw Failure(busy);
+}
 
 }  // namespace blocks::post

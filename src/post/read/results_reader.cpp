@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -19,15 +18,6 @@
 
 namespace blocks::post {
 
-namespace {
-
-/// How long to wait for a run that is writing a frame, [s]. It needs milliseconds, but
-/// a disk may delay it.
-constexpr std::chrono::seconds patience(10);
-const std::string busy = "a run is writing to it now; try again";
-
-}  // namespace
-
 int Frame::count_present() const {
   return size() - static_cast<int>(std::count(fixed.begin(), fixed.end(), 3));
 }
@@ -39,50 +29,6 @@ Eigen::Matrix2Xd FrameContacts::force() const {
   along.row(0) = normal.row(1);
   along.row(1) = -normal.row(0);
   return normal * normal_force.asDiagonal() - along * shear_force.asDiagonal();
-}
-
-void ResultsReader::File::open() {
-  if (const std::string fault = fault_of_head(path); !fault.empty())
-    throw Failure(fault);
-  for (Handle* handle : {&own, &steps, &vtk, &file})
-    *handle = Handle();  // HDF5 caches data of an open file
-  file = hdf5::open_file(path, false);
-  if (!hdf5::exists(file.get(), "VTKHDF") || !hdf5::exists(file.get(), "BLOCKS"))
-    throw Failure("it is not a results file of BLOCKS");
-  vtk = hdf5::open_group(file.get(), "VTKHDF");
-  steps = hdf5::open_group(vtk.get(), "Steps");
-  own = hdf5::open_group(file.get(), "BLOCKS");
-  if (!watch.still_named(path))
-    throw Failure("another file has replaced it; try again");
-  // Frames beyond NSteps are incomplete, or were cut off.
-  const auto frames = hdf5::read_attribute(steps.get(), "NSteps");
-  if (frames <= 0)
-    throw Failure("it has no frames yet");
-  if (static_cast<std::size_t>(frames) < times.size())
-    throw Failure("a restart has removed frames from it; try again");
-}
-
-template <class Action>
-auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
-  const auto until = std::chrono::steady_clock::now() + patience;
-  while (const auto number = watch.settled(until)) {
-    try {
-      if (opened_at != number) {
-        opened_at.reset();
-        open();
-        opened_at = number;
-      }
-      auto result = action();
-      if (watch.number() == *number)
-        return result;
-    } catch (...) {  // also std::bad_alloc, after a size read during a change
-      if (watch.number() == *number)
-        throw;
-    }
-    if (std::chrono::steady_clock::now() > until)
-      break;
-  }
-  throw Failure(busy);
 }
 
 ResultsReader::ResultsReader(const std::string& path)
@@ -109,8 +55,8 @@ ResultsReader::ResultsReader(const std::string& path)
   } catch (const files::FileError& error) {
     file_.reset();
     const std::string words = error.what();
-    throw files::FileError(words.ends_with(busy) ? words
-                                                 : words + results_nearby(path));
+    throw files::FileError(words.ends_with(File::busy) ? words
+                                                       : words + results_nearby(path));
   }
 }
 
@@ -157,13 +103,6 @@ void ResultsReader::show_in(const Units& units) {
       time *= step.time;
   }
   file_->units = units;
-}
-
-void ResultsReader::File::require(long i) const {
-  const auto frames = static_cast<long>(times.size());
-  if (i < 0 || i >= frames)
-    throw files::FileError(path + " has frames 0 to " + std::to_string(frames - 1) +
-                           ", not " + std::to_string(i));
 }
 
 void ResultsReader::make_compression_positive() { file_->compression_positive = true; }
