@@ -88,6 +88,8 @@ TEST(Architecture, SourceFoldersAreFound) {
     folders.insert(include.folder);
   EXPECT_EQ(folders, (std::set<std::string>{"apps",
                                             "audit",
+                                            "convert",
+                                            "dblock",
                                             "deck",
                                             "draw",
                                             "draw/chart",
@@ -131,7 +133,8 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "run/watch",
                                             "study",
                                             "sweep",
-                                            "text"}));
+                                            "text",
+                                            "why"}));
 }
 
 // The rules below say nothing about a folder that they do not know.
@@ -196,6 +199,12 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"report",
        {"report", "sweep", "post", "draw", "run", "quantities", "output", "files",
         "text", "deck"}},
+      {"why",
+       {"why", "audit", "post", "output", "files", "quantities", "model", "geometry"}},
+      {"dblock", {"dblock", "post", "draw", "run", "deck", "text"}},
+      {"convert",
+       {"convert", "joints", "post", "draw", "run", "exchange", "quantities", "deck",
+        "files", "model", "geometry"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "files", "model", "geometry"}},
       {"python",

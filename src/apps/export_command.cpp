@@ -11,19 +11,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "draw/joint_colours.hpp"
-#include "exchange/block_record.hpp"
-#include "exchange/mesh_writer.hpp"
+#include "convert/export_scene.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
-#include "geometry/polygon.hpp"
-#include "model/model.hpp"
 #include "post/export/time_series.hpp"
-#include "post/read/crack_tracker.hpp"
-#include "post/read/quantity.hpp"
 #include "post/read/results_nearby.hpp"
 #include "post/read/results_reader.hpp"
-#include "quantities/units.hpp"
 #include "run/support/interrupt.hpp"
 #include "text/counted.hpp"
 
@@ -31,15 +24,6 @@ namespace blocks::apps {
 namespace {
 
 namespace fs = std::filesystem;
-using exchange::BlockRecord;
-
-/// The blocks to export, and their time if they come from results.
-struct Scene {
-  std::vector<BlockRecord> blocks;
-  std::optional<double> time;
-  std::string unit;  ///< of length; empty: not named
-  int removed = 0;   ///< number of removed blocks, which are not exported
-};
 
 /// True if the extension or the first bytes of the file are those of results.
 bool is_results(const std::string& path) {
@@ -67,96 +51,6 @@ std::string neither(const std::string& path) {
              : "";
 }
 
-Scene scene_of(const Model& model) {
-  Scene scene;
-  const Blocks& blocks = model.blocks;
-  for (int b = 0; b < blocks.size(); ++b) {
-    if (blocks.is_removed(b))
-      continue;
-    const auto joint = blocks.joint.begin();
-    scene.blocks.push_back(
-        {b + 1,
-         blocks.material[b],
-         model.settings.materials.at(blocks.material[b]).name,
-         !blocks.is_free(b),
-         blocks.area[b],
-         blocks.outline(b),
-         {joint + blocks.first_corner[b], joint + blocks.first_corner[b + 1]},
-         {}});
-  }
-  scene.unit = model.settings.units.length;
-  scene.removed = blocks.size() - blocks.count_present();
-  return scene;
-}
-
-Scene scene_of(const post::ResultsReader& results, const std::optional<double>& time) {
-  const long shown_frame = time ? results.at(*time) : results.frames() - 1;
-  const post::Frame frame = results.frame(shown_frame);
-  post::ResultsTracker tracker(results);
-  const post::Frame& first = tracker.at(shown_frame, frame).first;
-  const auto name_of = [&names = results.material_names()](int material) {
-    const auto name = names.find(material);
-    return name == names.end() ? std::string() : name->second;
-  };
-  Scene scene;
-  scene.time = frame.time;
-  if (const auto& units = results.units())
-    scene.unit = units->length;
-  std::vector<Eigen::Index> shown;
-  for (int b = 0; b < frame.size(); ++b)
-    if (!frame.is_removed(b))
-      shown.push_back(b);
-  scene.removed = frame.size() - frame.count_present();
-  for (const auto b : shown)
-    scene.blocks.push_back({frame.number[b],
-                            frame.material[b],
-                            name_of(frame.material[b]),
-                            frame.fixed[b] != 0,
-                            geometry::section_properties(frame.outlines[b]).area,
-                            frame.outlines[b],
-                            frame.joints.empty() ? std::vector<int>() : frame.joints[b],
-                            {}});
-  if (!tracker.cracks().empty() && !frame.parent.empty())
-    for (std::size_t k = 0; k < shown.size(); ++k)
-      scene.blocks[k].results.emplace_back(
-          "parent", frame.parent[static_cast<std::size_t>(shown[k])]);
-  for (const char* name :
-       {"speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2"}) {
-    const Eigen::VectorXd values = post::quantity(name, frame, first).values;
-    for (std::size_t k = 0; k < shown.size(); ++k)
-      scene.blocks[k].results.emplace_back(name, values[shown[k]]);
-  }
-  return scene;
-}
-
-/// Returns the scale of a drawing. given: 0 chooses it. Units that are not known are
-/// taken as metres.
-exchange::SvgScale scale_of(const Scene& scene, double given) {
-  const auto unit = quantities::known_lengths().size_of(scene.unit);
-  const double unit_in_m = unit.value_or(1.0);
-  return {given > 0.0 ? given : exchange::default_scale(scene.blocks, unit_in_m),
-          unit_in_m, unit ? scene.unit : std::string()};
-}
-
-std::string write_drawing(const Scene& scene, const exchange::SvgScale& scale) {
-  return exchange::write_svg(scene.blocks, scale, [](int joint) {
-    return draw::css(draw::joint_colour(joint));
-  });
-}
-
-/// Writes the text form of READ9.
-std::string mesh_text(const Scene& scene, const std::string& comment) {
-  std::vector<exchange::Outline> outlines;
-  for (const BlockRecord& block : scene.blocks) {
-    exchange::Outline outline;
-    outline.corners = block.outline;
-    outline.material = block.material;
-    outline.joints = block.joints;
-    outlines.push_back(std::move(outline));
-  }
-  return exchange::write_mesh(outlines, comment);
-}
-
 /// Returns the format by the extension of the output; empty if the extension is
 /// unknown.
 std::string format_of(const std::string& path) {
@@ -166,29 +60,6 @@ std::string format_of(const std::string& path) {
       {".pvd", "pvd"},         {".csv", "csv"},      {".txt", "txt"}};
   const auto found = formats.find(fs::path(path).extension().string());
   return found == formats.end() ? "" : found->second;
-}
-
-/// Lists the data of the scene that the format cannot store.
-std::string left_out(const Scene& scene, const std::string& format) {
-  if (format == "svg")
-    return {};  // a picture
-  std::string text;
-  if (format == "wkt")
-    text = "materials";
-  bool fixed = false, named = false;
-  for (const BlockRecord& block : scene.blocks) {
-    fixed = fixed || block.fixed;
-    named = named || !block.material_name.empty();
-  }
-  if (format == "txt" && named)
-    text = "names of materials";
-  const bool keeps_fixed =
-      format == "geojson" || (format == "msh" && exchange::needs_rings(scene.blocks));
-  if (!keeps_fixed && fixed)
-    text += (text.empty() ? "" : ", ") + std::string("which blocks are fixed");
-  if (format != "geojson" && scene.time)
-    text += (text.empty() ? "" : ", ") + std::string("results");
-  return text;
 }
 
 bool is_series(const std::string& format) { return format == "pvd" || format == "csv"; }
@@ -272,7 +143,7 @@ int export_blocks(ExportOptions options) {
                   input + " would be overwritten: choose another -o NAME");
   files::check_outputs({options.output});
 
-  Scene scene;
+  convert::ExportScene scene;
   if (is_results(input)) {
     if (!options.input.overrides.empty())
       return refuse(run::usage_error,
@@ -285,7 +156,7 @@ int export_blocks(ExportOptions options) {
         write_series(options, format, results);
         return run::done;
       }
-      scene = scene_of(results, options.time);
+      scene = convert::scene_of(results, options.time);
     } catch (const run::Interrupted&) {
       fmt::print(stderr, "blocks: interrupted; no file was written\n");
       return run::interrupted;
@@ -308,20 +179,15 @@ int export_blocks(ExportOptions options) {
     const auto checked = run::build_checked(options.input);
     if (checked.code != run::done)
       return checked.code;
-    scene = scene_of(checked.model);
+    scene = convert::scene_of(checked.model);
   }
   if (scene.blocks.empty())
     return refuse(run::deck_error, input + " has no blocks");
 
-  const exchange::SvgScale scale = scale_of(scene, options.scale);
+  const exchange::SvgScale scale = convert::scale_of(scene, options.scale);
   std::string text;
   try {
-    text = format == "geojson" ? exchange::write_geojson(scene.blocks, scene.time)
-           : format == "wkt"   ? exchange::write_wkt(scene.blocks)
-           : format == "msh"   ? exchange::write_gmsh(scene.blocks)
-           : format == "dxf"   ? exchange::write_dxf(scene.blocks, scene.unit)
-           : format == "svg"   ? write_drawing(scene, scale)
-                               : mesh_text(scene, "From " + input);
+    text = convert::text_of(scene, format, scale, "From " + input);
   } catch (const std::invalid_argument& fault) {
     return refuse(run::deck_error,
                   fmt::format("{}\n  hint: .geojson, .wkt and .txt accept any outline",
@@ -338,7 +204,7 @@ int export_blocks(ExportOptions options) {
     if (format == "svg")
       fmt::print("; 1:{:.9g}{}", scale.scale,
                  scene.unit.empty() ? " if lengths are in m" : "");
-    const std::string missing = left_out(scene, format);
+    const std::string missing = convert::left_out(scene, format);
     fmt::print("{}\n",
                missing.empty() ? "" : "; ." + format + " leaves out " + missing);
   }

@@ -14,9 +14,9 @@
 #include "draw/number_text.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
-#include "history_lines.hpp"
-#include "open_run.hpp"
 #include "post/chart/history.hpp"
+#include "post/chart/history_lines.hpp"
+#include "post/chart/open_run.hpp"
 #include "post/chart/profile.hpp"
 #include "post/export/number_table.hpp"
 #include "post/read/crack_tracker.hpp"
@@ -117,11 +117,11 @@ Answer histories(const HistoryOptions& options, const std::optional<Units>& unit
       curves.push_back(curve);
 
   Answer answer;
-  std::vector<RunLine> lines;
+  std::vector<post::RunLine> lines;
   const auto runs = post::join_parts(options.files);
-  const auto names = run_names(runs);
+  const auto names = post::run_names(runs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const OpenRun run(runs[r], units, options.compression_positive);
+    const post::OpenRun run(runs[r], units, options.compression_positive);
     const post::History history =
         post::read_history(run.parts(), curves, {options.from, options.to},
                            options.frames, run.material_numbers());
@@ -141,7 +141,7 @@ Answer histories(const HistoryOptions& options, const std::optional<Units>& unit
       if (against && i == 0)
         continue;
       lines.push_back({draw::with_unit(series.quantity, unit), series.label,
-                       legend_of(series.label, names[r]),
+                       post::legend_of(series.label, names[r]),
                        against ? history.series.front().values : history.time,
                        series.values,
                        quantities::is_of_equilibrium(series.curve.quantity)});
@@ -150,7 +150,7 @@ Answer histories(const HistoryOptions& options, const std::optional<Units>& unit
     answer.chart.x_label = draw::with_unit(x.label, x.unit);
     answer.runs.push_back(std::move(table));
   }
-  answer.chart.panels = panels_of(lines, !against && !options.each_run);
+  answer.chart.panels = post::panels_of(lines, !against && !options.each_run);
   set_heading(answer.chart, answer.runs, options);
   return answer;
 }
@@ -162,7 +162,7 @@ struct ProfileFrame {
 };
 
 /// Returns the frames nearest to the given times; the last frame if none are given.
-std::vector<ProfileFrame> frames_at(const OpenRun& run,
+std::vector<ProfileFrame> frames_at(const post::OpenRun& run,
                                     const std::vector<double>& times) {
   if (times.empty())
     return {{run.last().frame(run.last().frames() - 1), std::nullopt}};
@@ -185,13 +185,13 @@ Answer profiles(const HistoryOptions& options, const std::optional<Units>& units
           "': choose from those of the blocks: " + quantities::quantity_names());
   }
   Answer answer;
-  std::vector<RunLine> lines;
+  std::vector<post::RunLine> lines;
   const auto runs = post::join_parts(options.files);
-  const auto names = run_names(runs);
+  const auto names = post::run_names(runs);
   const std::string length = post::unit_text({1, 0, 0, "m", ""}, units);
   const std::string position = line.segment ? "distance along the line" : "x";
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const OpenRun run(runs[r], units, options.compression_positive);
+    const post::OpenRun run(runs[r], units, options.compression_positive);
     const post::Frame first = run.first().frame(0);
     auto places = post::profile_places(first, line);
     if (options.mirror)
@@ -217,13 +217,13 @@ Answer profiles(const HistoryOptions& options, const std::optional<Units>& units
                                  post::sign_convention(*kind, now.compression_positive),
                              unit),
              post::time_text(requested.value_or(now.time), std::nullopt, units),
-             legend_of(post::time_text(now.time, requested, units), names[r]),
+             post::legend_of(post::time_text(now.time, requested, units), names[r]),
              table.columns[0].values, table.columns.back().values});
       }
     }
     answer.runs.push_back(std::move(table));
   }
-  answer.chart.panels = panels_of(lines, !options.each_run);
+  answer.chart.panels = post::panels_of(lines, !options.each_run);
   answer.chart.x_label = draw::with_unit(position, length);
   set_heading(answer.chart, answer.runs, options);
   return answer;

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "convert/import_map.hpp"
 #include "deck/mesh_readers.hpp"
 #include "exchange/deck_skeleton.hpp"
 #include "exchange/foreign_form.hpp"
@@ -17,7 +18,6 @@
 #include "exchange/soundness_text.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
-#include "import_map.hpp"
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
 
@@ -180,7 +180,9 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
 
 int import_blocks(ImportOptions options) {
   if (options.map)
-    return import_map(std::move(options));
+    return convert::import_map({options.file, options.output, options.outline,
+                                options.snap, options.layers, options.report_only,
+                                options.quiet});
   const std::string text = run::read_deck(options.file);
   const std::string name = options.file == "-" ? "<standard input>" : options.file;
   const std::optional<exchange::Form> form = form_of(options.format, text);

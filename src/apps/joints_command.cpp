@@ -70,7 +70,7 @@ template <class Command> int guarded(const Command& command) {
   }
 }
 
-void add_input_options(CLI::App& command, MapInput& input) {
+void add_input_options(CLI::App& command, convert::MapInput& input) {
   command
       .add_option(
           "--outline", input.outlines,
@@ -175,7 +175,7 @@ int joint_statistics(const JointsOptions& options) {
                   ".json, .png, .svg or .pdf");
     const draw::PageSize page = options.size.page();
     check_joint_outputs(options, options.outputs);
-    const ReadMaps read = read_maps(options.input);
+    const convert::ReadMaps read = convert::read_maps(options.input);
     if (read.code != run::done)
       return read.code;
     std::vector<joints::MapStatistics> maps;
@@ -207,7 +207,7 @@ int fit_joints(const JointsOptions& options) {
              "_fit.deck";
     check_endings({deck}, {".deck"}, ".deck");
     check_joint_outputs(options, {deck});
-    const ReadMaps read = read_maps(options.input);
+    const convert::ReadMaps read = convert::read_maps(options.input);
     if (read.code != run::done)
       return read.code;
     if (read.maps.size() > 1)

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "common_options.hpp"
-#include "joint_maps.hpp"
+#include "convert/joint_maps.hpp"
 
 namespace blocks::apps {
 
 struct JointsOptions {
-  MapInput input;
+  convert::MapInput input;
   double shortest = 0.0;               ///< [L] >= 0
   std::vector<std::string> scanlines;  ///< "x1,y1,x2,y2"
   std::vector<std::string> outputs;    ///< files; empty: print a table

@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
-#include "dblock_cards.hpp"
-#include "dblock_plots.hpp"
+#include "dblock/cards.hpp"
+#include "dblock/plots.hpp"
 #include "deck/free_field.hpp"
 #include "files/check_outputs.hpp"
 #include "plot_frames.hpp"
@@ -127,11 +127,11 @@ std::map<int, draw::Colour> material_colours(const std::vector<std::string>& tex
   for (const std::string& text : split_lists(texts)) {
     const auto mark = text.rfind('=');
     const auto colour =
-        mark == text.npos ? std::nullopt : named_colour(text.substr(mark + 1));
+        mark == text.npos ? std::nullopt : dblock::named_colour(text.substr(mark + 1));
     if (!colour)
       throw std::runtime_error(
           "--materials needs MATERIAL=COLOUR, such as 1=RED, found '" + text +
-          "'\n  hint: colours: " + colour_names());
+          "'\n  hint: colours: " + dblock::colour_names());
     const auto material = std::find_if(present.begin(), present.end(), [&](int one) {
       const auto name = results.material_names().find(one);
       return std::to_string(one) == text.substr(0, mark) ||
@@ -238,7 +238,7 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       .add_option(
           "--materials", options.materials,
           "colours of materials by number or name, such as 1=RED,coal=#303030: " +
-              colour_names())
+              dblock::colour_names())
       ->allow_extra_args(false);
   command.add_option("--range", options.range, "low high: ends of the colour scale")
       ->expected(2)
@@ -335,7 +335,8 @@ int plot(PlotOptions options) {
     }
     const double rate = options.rate.value_or(25.0);
     if (!options.dblock.empty())
-      return plot_dblock(options.dblock, results, options.output, rate, options.figure);
+      return dblock::plot(options.dblock, results, options.output, rate,
+                          options.figure);
     const std::vector<long> frames = chosen_frames(results, options);
     post::require_blocks_in_zoom(results, frames, options.figure);
     if (post::is_movie(options.output)) {

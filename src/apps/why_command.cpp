@@ -13,7 +13,7 @@
 #include "option_text.hpp"
 #include "run/run.hpp"
 #include "text/number.hpp"
-#include "why_report.hpp"
+#include "why/report.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -78,7 +78,7 @@ void add_why_options(CLI::App& command, WhyOptions& options) {
 
 namespace {
 
-std::string times_held(const WhyScene& scene) {
+std::string times_held(const why::Scene& scene) {
   const auto [first, last] =
       std::minmax_element(scene.times.begin(), scene.times.end());
   if (scene.times.size() == 1)
@@ -88,7 +88,7 @@ std::string times_held(const WhyScene& scene) {
       *last, some(scene.times, [](double t) { return fmt::format("{:g}", t); }));
 }
 
-bool within(const WhyScene& scene, double time) {
+bool within(const why::Scene& scene, double time) {
   const auto [first, last] =
       std::minmax_element(scene.times.begin(), scene.times.end());
   const double grace = 1e-9 * std::abs(*last);  // times are printed with few digits
@@ -96,7 +96,7 @@ bool within(const WhyScene& scene, double time) {
 }
 
 /// Reports that the block does not exist, which blocks do, and when it will.
-int refuse_block(const WhyOptions& options, const WhyScene& scene,
+int refuse_block(const WhyOptions& options, const why::Scene& scene,
                  const std::string& name) {
   const int count = scene.blocks.size();
   const std::string there = count == 0 ? "it has no blocks at that time"
@@ -106,8 +106,8 @@ int refuse_block(const WhyOptions& options, const WhyScene& scene,
     return refuse(
         fmt::format("'{}' is not the number of a block of {}", name, options.file),
         there);
-  const auto begins =
-      *block > count ? first_time_with(options.file, *block) : std::optional<double>();
+  const auto begins = *block > count ? why::first_time_with(options.file, *block)
+                                     : std::optional<double>();
   return refuse(fmt::format("there is no block {} in {} at time {:g}", *block,
                             options.file, scene.time),
                 begins ? fmt::format("it exists from time {:.9g} on; before that, {}",
@@ -120,7 +120,7 @@ int refuse_block(const WhyOptions& options, const WhyScene& scene,
 int why(const WhyOptions& options) {
   const std::optional<double> time =
       options.time ? text::number_of<double>(*options.time) : std::optional<double>();
-  const WhyScene scene = read_scene(options.file, time);
+  const why::Scene scene = why::read_scene(options.file, time);
   if (options.time && !(time && within(scene, *time)))
     return refuse(time ? fmt::format("time {:g} is outside of {}", *time, options.file)
                        : fmt::format("'{}' is not a time", *options.time),
@@ -135,7 +135,7 @@ int why(const WhyOptions& options) {
       return refuse(
           fmt::format("block {} is removed at time {:g}, so it has no contacts", *block,
                       scene.time),
-          removal_text(options.file, *block - 1));
+          why::removal_text(options.file, *block - 1));
     chosen.push_back(*block);
   }
 
@@ -159,22 +159,23 @@ int why(const WhyOptions& options) {
                     i + 1, j + 1),
         beside);
   const std::vector<int>& near = rule.neighbours(i);
-  const bool touched = std::any_of(
-      scene.contacts.begin(), scene.contacts.end(), [&](const RememberedContact& one) {
-        return std::minmax(
-                   {blocks.corner_block[one.corner], blocks.corner_block[one.edge]}) ==
-               std::pair(std::min(i, j), std::max(i, j));
-      });  // a bond may reach farther
+  const bool touched =
+      std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                  [&](const why::RememberedContact& one) {
+                    return std::minmax({blocks.corner_block[one.corner],
+                                        blocks.corner_block[one.edge]}) ==
+                           std::pair(std::min(i, j), std::max(i, j));
+                  });  // a bond may reach farther
   if (!touched && std::find(near.begin(), near.end(), j) == near.end())
     return refuse(fmt::format("blocks {} and {} are not near each other at time {:g}",
                               i + 1, j + 1, scene.time),
                   fmt::format("{}\ntheir bounding boxes are more than {:.6g} apart",
                               beside, reach));
-  WhyReport report = why(rule, std::min(i, j), std::max(i, j));
+  why::Report report = why::explain(rule, std::min(i, j), std::max(i, j));
   report.file = options.file;
   report.requested = time;
-  fmt::print("{}",
-             options.json ? json(report, scene, rule) : text(report, scene, rule));
+  fmt::print("{}", options.json ? why::json(report, scene, rule)
+                                : why::text(report, scene, rule));
   return run::done;
 }
 

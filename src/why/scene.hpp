@@ -7,7 +7,7 @@
 
 #include "model/model.hpp"
 
-namespace blocks::apps {
+namespace blocks::why {
 
 /// A stored contact, which acted in the step before the stored state.
 struct RememberedContact {
@@ -19,7 +19,7 @@ struct RememberedContact {
   LawState state = {};
 };
 
-struct WhyScene {
+struct Scene {
   Blocks blocks;
   double time = 0.0;
   long step = 0;
@@ -38,6 +38,6 @@ std::optional<double> first_time_with(const std::string& path, int blocks);
 
 /// Reads a state. From results it reads the frame nearest to `time`, or the last one if
 /// `time` is empty; a checkpoint has one state. Throws files::FileError.
-WhyScene read_scene(const std::string& path, const std::optional<double>& time);
+Scene read_scene(const std::string& path, const std::optional<double>& time);
 
-}  // namespace blocks::apps
+}  // namespace blocks::why

@@ -1,4 +1,4 @@
-#include "why_report.hpp"
+#include "why/report.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "audit/words.hpp"
 #include "quantities/bond.hpp"
 
-namespace blocks::apps {
+namespace blocks::why {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -110,8 +110,7 @@ Json candidates(const audit::ExactPairRule& rule, const audit::PartDecision& par
 }
 
 /// Returns the contacts between the two blocks that are stored in the file.
-std::vector<RememberedContact> remembered(const WhyReport& report,
-                                          const WhyScene& scene) {
+std::vector<RememberedContact> remembered(const Report& report, const Scene& scene) {
   std::vector<RememberedContact> found;
   for (const RememberedContact& contact : scene.contacts)
     if (std::minmax({scene.blocks.corner_block[contact.corner],
@@ -158,7 +157,7 @@ std::string state_in_words(const Blocks& blocks, const RememberedContact& contac
 }
 
 /// Returns the depth of the deepest acting contact [L]; 0 if there is none.
-double deepest(const WhyReport& report, const audit::ExactPairRule& rule) {
+double deepest(const Report& report, const audit::ExactPairRule& rule) {
   double depth = 0.0;
   for (const auto& [corner, edge] : report.decision.contacts)
     depth = std::max(depth, rule.overlap(corner, edge));
@@ -170,8 +169,7 @@ std::string kind(const Blocks& blocks, int b) {
                      blocks.is_free(b) ? "" : "fixed, ", blocks.corners_of(b));
 }
 
-std::string overlap_in_words(const WhyReport& report,
-                             const audit::ExactPairRule& rule) {
+std::string overlap_in_words(const Report& report, const audit::ExactPairRule& rule) {
   if (!report.overlap)
     return "they do not overlap\n";
   const double depth = deepest(report, rule);
@@ -185,9 +183,9 @@ std::string overlap_in_words(const WhyReport& report,
 
 }  // namespace
 
-WhyReport why(const audit::ExactPairRule& rule, int first, int second) {
+Report explain(const audit::ExactPairRule& rule, int first, int second) {
   const Blocks& blocks = rule.blocks();
-  WhyReport report;
+  Report report;
   report.first = first, report.second = second;
   report.decision = rule.decide(first, second);
   const auto overlaps =
@@ -197,7 +195,7 @@ WhyReport why(const audit::ExactPairRule& rule, int first, int second) {
   return report;
 }
 
-std::string text(const WhyReport& report, const WhyScene& scene,
+std::string text(const Report& report, const Scene& scene,
                  const audit::ExactPairRule& rule) {
   const Blocks& blocks = scene.blocks;
   std::string out = fmt::format("{}: ", report.file);
@@ -228,7 +226,7 @@ std::string text(const WhyReport& report, const WhyScene& scene,
   return out;
 }
 
-std::string json(const WhyReport& report, const WhyScene& scene,
+std::string json(const Report& report, const Scene& scene,
                  const audit::ExactPairRule& rule) {
   const Blocks& blocks = scene.blocks;
   Json contacts = Json::array(), before = Json::array(), parts = Json::array();
@@ -275,4 +273,4 @@ std::string json(const WhyReport& report, const WhyScene& scene,
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-}  // namespace blocks::apps
+}  // namespace blocks::why

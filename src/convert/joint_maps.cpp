@@ -1,4 +1,4 @@
-#include "joint_maps.hpp"
+#include "convert/joint_maps.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
 
-namespace blocks::apps {
+namespace blocks::convert {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ class Reader {
 
 ReadMaps read_maps(const MapInput& input) { return Reader(input).read(); }
 
-}  // namespace blocks::apps
+}  // namespace blocks::convert

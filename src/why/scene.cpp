@@ -1,4 +1,4 @@
-#include "why_scene.hpp"
+#include "why/scene.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "post/read/results_nearby.hpp"
 #include "post/read/results_reader.hpp"
 
-namespace blocks::apps {
+namespace blocks::why {
 namespace {
 
 /// Returns the first bytes of a file. Throws files::FileError.
@@ -73,9 +73,9 @@ void restore_shapes(const post::ResultsReader& results, const post::Frame& shown
 /// Any outline, for a block that was removed before the first frame.
 const geometry::Polygon never_shown = {{0, 0}, {0, 1}, {1, 0}};
 
-WhyScene from_results(const std::string& path, const std::optional<double>& time) {
+Scene from_results(const std::string& path, const std::optional<double>& time) {
   const post::ResultsReader results(path);
-  WhyScene scene;
+  Scene scene;
   scene.times = results.times();
   scene.frame = time ? results.nearest(*time) : results.frames() - 1;
   const post::Frame frame = results.frame(scene.frame);
@@ -115,10 +115,10 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
   return scene;
 }
 
-WhyScene from_checkpoint(const std::string& path) {
+Scene from_checkpoint(const std::string& path) {
   output::CheckpointInfo info;
   const Model model = output::read_checkpoint(path, info);
-  WhyScene scene;
+  Scene scene;
   scene.blocks = model.blocks;
   scene.time = model.time, scene.step = model.steps;
   scene.times = {model.time};
@@ -163,7 +163,7 @@ std::string removal_text(const std::string& path, int block) {
   return "";
 }
 
-WhyScene read_scene(const std::string& path, const std::optional<double>& time) {
+Scene read_scene(const std::string& path, const std::optional<double>& time) {
   const std::string head = head_of(path);
   if (post::fault_of_head(path).empty())
     return from_results(path, time);
@@ -174,4 +174,4 @@ WhyScene read_scene(const std::string& path, const std::optional<double>& time) 
                          "(NAME.ckpt.h5) of BLOCKS");
 }
 
-}  // namespace blocks::apps
+}  // namespace blocks::why

@@ -12,9 +12,9 @@
 #include "deck/diagnostics.hpp"
 #include "draw/colour_map.hpp"
 
-namespace blocks::apps {
+namespace blocks::dblock {
 
-struct DblockCards {
+struct Cards {
   bool first_only = false;                ///< BLOCKS
   std::optional<Eigen::Vector4d> zoom;    ///< ZOOM: xmin, xmax, ymin, ymax [L]
   int frame_size = 1;                     ///< FRAMESIZE 1, 2, 3; MOVIE takes 3
@@ -41,6 +41,6 @@ std::optional<draw::Colour> named_colour(const std::string& name);
 std::string colour_names();
 
 /// Reads the cards up to ENDDATA and adds all errors to `faults`.
-DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults);
+Cards read_cards(const std::string& text, deck::Diagnostics& faults);
 
-}  // namespace blocks::apps
+}  // namespace blocks::dblock

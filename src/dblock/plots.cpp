@@ -1,4 +1,4 @@
-#include "dblock_plots.hpp"
+#include "dblock/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "dblock_cards.hpp"
+#include "dblock/cards.hpp"
 #include "post/figure/figure_scales.hpp"
 #include "post/figure/movie.hpp"
 #include "post/read/material_list.hpp"
@@ -14,11 +14,11 @@
 #include "run/support/deck_file.hpp"
 #include "text/counted.hpp"
 
-namespace blocks::apps {
+namespace blocks::dblock {
 namespace {
 
 /// Returns the frames at the chosen times without duplicates.
-std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& results) {
+std::vector<long> frames(const Cards& cards, const post::ResultsReader& results) {
   std::vector<long> chosen;
   for (const double time : cards.chosen(results.times()))
     if (const long frame = results.at(time); chosen.empty() || chosen.back() != frame)
@@ -27,7 +27,7 @@ std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& re
 }
 
 /// Reports an error for each colour card whose material is not in the results.
-void check_materials(const DblockCards& cards, const post::ResultsReader& results,
+void check_materials(const Cards& cards, const post::ResultsReader& results,
                      deck::Diagnostics& faults) {
   if (cards.painted.empty())
     return;
@@ -40,7 +40,7 @@ void check_materials(const DblockCards& cards, const post::ResultsReader& result
 }
 
 /// Throws std::runtime_error if an option and a card set the same thing.
-void check_options(const DblockCards& cards, const post::FigureOptions& figure) {
+void check_options(const Cards& cards, const post::FigureOptions& figure) {
   const auto refuse = [](bool both, const std::string& option,
                          const std::string& card) {
     if (both)
@@ -67,11 +67,11 @@ void print_corners(const post::Frame& frame) {
 
 }  // namespace
 
-int plot_dblock(const std::string& cards_file, const post::ResultsReader& results,
-                const std::string& output, double rate, post::FigureOptions figure) {
+int plot(const std::string& cards_file, const post::ResultsReader& results,
+         const std::string& output, double rate, post::FigureOptions figure) {
   const std::string text = run::read_deck(cards_file);
   deck::Diagnostics faults(cards_file, text);
-  const DblockCards cards = read_dblock_cards(text, faults);
+  const Cards cards = read_cards(text, faults);
   check_materials(cards, results, faults);
   fmt::print(stderr, "{}", faults.format_all());
   if (faults.has_errors())
@@ -129,4 +129,4 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
   return run::done;
 }
 
-}  // namespace blocks::apps
+}  // namespace blocks::dblock

@@ -1,4 +1,4 @@
-#include "dblock_cards.hpp"
+#include "dblock/cards.hpp"
 
 #include <fmt/format.h>
 
@@ -13,13 +13,13 @@
 #include "text/counted.hpp"
 #include "text/suggest.hpp"
 
-namespace blocks::apps {
+namespace blocks::dblock {
 namespace {
 
 /// One card: how many numbers follow it, and the function that applies them.
 struct Card {
   std::size_t min, max;
-  std::function<void(DblockCards&, const std::vector<double>&)> act;
+  std::function<void(Cards&, const std::vector<double>&)> act;
   bool whole = false;  ///< numbers are whole, 1 or more
 };
 
@@ -39,14 +39,14 @@ const std::map<std::string, draw::Colour, std::less<>>& colours() {
 
 Card colour_card(const draw::Colour& colour) {
   return {1, 1,
-          [=](DblockCards& cards, const std::vector<double>& v) {
+          [=](Cards& cards, const std::vector<double>& v) {
             cards.materials[static_cast<int>(v[0])] = colour;
           },
           true};
 }
 
 const std::map<std::string, Card, std::less<>>& table() {
-  using C = DblockCards;
+  using C = Cards;
   using Values = std::vector<double>;
   constexpr std::size_t any = 1000;
   static std::map<std::string, Card, std::less<>> cards = {
@@ -143,8 +143,8 @@ std::string colour_names() {
   return text + "#rrggbb";
 }
 
-DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults) {
-  DblockCards cards;
+Cards read_cards(const std::string& text, deck::Diagnostics& faults) {
+  Cards cards;
   if (const auto where = deck::first_binary_byte(text)) {
     faults.error(*where, "", "not a text file: a control character",
                  "DBLOCK cards are plain text, such as TIMES, 0, 1");
@@ -183,7 +183,7 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
   return cards;
 }
 
-std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
+std::vector<double> Cards::chosen(const std::vector<double>& all) const {
   if (first_only)
     return {all.front()};
   // Clip the range to the results. The times of TIMES are not clipped; they must exist.
@@ -209,4 +209,4 @@ std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
   return {found.begin(), found.end()};
 }
 
-}  // namespace blocks::apps
+}  // namespace blocks::dblock

@@ -10,7 +10,7 @@
 #include "deck/parser.hpp"
 #include "joints/trace_map.hpp"
 
-namespace blocks::apps {
+namespace blocks::convert {
 
 struct MapInput {
   std::vector<std::string> files;     ///< trace files and decks; - is standard input
@@ -33,4 +33,4 @@ struct ReadMaps {
 /// files::FileError if a file cannot be read.
 ReadMaps read_maps(const MapInput& input);
 
-}  // namespace blocks::apps
+}  // namespace blocks::convert

@@ -6,11 +6,11 @@
 
 #include "audit/exact_pair_rule.hpp"
 #include "geometry/overlap.hpp"
-#include "why_scene.hpp"
+#include "why/scene.hpp"
 
-namespace blocks::apps {
+namespace blocks::why {
 
-struct WhyReport {
+struct Report {
   std::string file;
   std::optional<double> requested;  ///< the time given by the user
   int first = 0, second = 0;        ///< blocks, from 0; first < second
@@ -20,16 +20,16 @@ struct WhyReport {
 };
 
 /// Decides two blocks by the exact rule, and finds how they overlap.
-WhyReport why(const audit::ExactPairRule& rule, int first, int second);
+Report explain(const audit::ExactPairRule& rule, int first, int second);
 
 /// Returns the answer as text: the state, the overlap, the steps of the decision, and
 /// the contacts stored in the file.
-std::string text(const WhyReport& report, const WhyScene& scene,
+std::string text(const Report& report, const Scene& scene,
                  const audit::ExactPairRule& rule);
 
 /// Returns one JSON object: the contacts, and the axes and candidates of each pair of
 /// parts.
-std::string json(const WhyReport& report, const WhyScene& scene,
+std::string json(const Report& report, const Scene& scene,
                  const audit::ExactPairRule& rule);
 
-}  // namespace blocks::apps
+}  // namespace blocks::why

@@ -1,4 +1,4 @@
-#include "history_lines.hpp"
+#include "post/chart/history_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -9,12 +9,12 @@
 
 #include "post/chart/run_band.hpp"
 
-namespace blocks::apps {
+namespace blocks::post {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string joined(const post::RunParts& run, bool with_folder) {
+std::string joined(const RunParts& run, bool with_folder) {
   std::string name;
   for (const std::string& file : run.files)
     name += (name.empty() ? "" : " + ") +
@@ -37,16 +37,16 @@ draw::ChartPanel& panel(std::vector<draw::ChartPanel>& panels, const RunLine& li
 
 draw::ChartLine band(const std::vector<draw::ChartLine>& lines,
                      const std::string& what) {
-  draw::ChartLine line = post::band_of(lines);
+  draw::ChartLine line = band_of(lines);
   line.legend = what + ", median";
-  line.band_legend = fmt::format("{:g} to {:g} % of {} runs", post::band_low,
-                                 post::band_high, lines.size());
+  line.band_legend =
+      fmt::format("{:g} to {:g} % of {} runs", band_low, band_high, lines.size());
   return line;
 }
 
 }  // namespace
 
-std::vector<std::string> run_names(const std::vector<post::RunParts>& runs) {
+std::vector<std::string> run_names(const std::vector<RunParts>& runs) {
   std::vector<std::string> names(runs.size());
   if (runs.size() < 2)
     return names;
@@ -88,4 +88,4 @@ std::vector<draw::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool 
   return panels;
 }
 
-}  // namespace blocks::apps
+}  // namespace blocks::post

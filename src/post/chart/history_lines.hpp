@@ -8,7 +8,7 @@
 #include "draw/chart/line_chart.hpp"
 #include "post/read/run_parts.hpp"
 
-namespace blocks::apps {
+namespace blocks::post {
 
 /// More runs than these are drawn as a band.
 constexpr std::size_t max_single_runs = 8;
@@ -25,7 +25,7 @@ struct RunLine {
 /// Returns the names of the runs in legends: "crater (seed 3)". The name is that of the
 /// results, or their path if two runs have the same name. The seed is given if it
 /// differs between the runs. Returns an empty name for a single run.
-std::vector<std::string> run_names(const std::vector<post::RunParts>& runs);
+std::vector<std::string> run_names(const std::vector<RunParts>& runs);
 
 /// Returns the legend of a curve and its run, whose name may be empty.
 std::string legend_of(const std::string& curve, const std::string& run);
@@ -34,4 +34,4 @@ std::string legend_of(const std::string& curve, const std::string& run);
 /// max_single_runs runs become a median and a band.
 std::vector<draw::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool bands);
 
-}  // namespace blocks::apps
+}  // namespace blocks::post

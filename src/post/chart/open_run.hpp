@@ -8,17 +8,17 @@
 #include "post/chart/history.hpp"
 #include "post/read/results_reader.hpp"
 
-namespace blocks::apps {
+namespace blocks::post {
 
 /// The results of one run in the order of time.
 class OpenRun {
  public:
   /// Opens the files of a run. Values are shown in `units`, if these are given, and
   /// stresses are positive in compression if `compression_positive`.
-  OpenRun(const post::RunParts& run, const std::optional<Units>& units,
+  OpenRun(const RunParts& run, const std::optional<Units>& units,
           bool compression_positive) {
     for (const std::string& file : run.files) {
-      parts_.push_back(std::make_unique<post::ResultsReader>(file));
+      parts_.push_back(std::make_unique<ResultsReader>(file));
       if (units)
         parts_.back()->show_in(*units);
       if (compression_positive)
@@ -26,8 +26,8 @@ class OpenRun {
     }
   }
   /// The open files, in the order of time.
-  std::vector<const post::ResultsReader*> parts() const {
-    std::vector<const post::ResultsReader*> all;
+  std::vector<const ResultsReader*> parts() const {
+    std::vector<const ResultsReader*> all;
     for (const auto& part : parts_)
       all.push_back(part.get());
     return all;
@@ -40,11 +40,11 @@ class OpenRun {
     return numbers;
   }
   /// The part with the beginning of the run.
-  const post::ResultsReader& first() const { return *parts_.front(); }
+  const ResultsReader& first() const { return *parts_.front(); }
   /// The part with the end of the run.
-  const post::ResultsReader& last() const { return *parts_.back(); }
+  const ResultsReader& last() const { return *parts_.back(); }
   /// Returns the latest part that has begun at this time, or the first one.
-  const post::ResultsReader& at(double time) const {
+  const ResultsReader& at(double time) const {
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part)
       if ((*part)->times().front() <= time)
         return **part;
@@ -52,7 +52,7 @@ class OpenRun {
   }
 
  private:
-  std::vector<std::unique_ptr<post::ResultsReader>> parts_;
+  std::vector<std::unique_ptr<ResultsReader>> parts_;
 };
 
-}  // namespace blocks::apps
+}  // namespace blocks::post

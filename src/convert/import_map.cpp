@@ -1,4 +1,4 @@
-#include "import_map.hpp"
+#include "convert/import_map.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
 
-namespace blocks::apps {
+namespace blocks::convert {
 namespace {
 
 namespace fs = std::filesystem;
@@ -292,7 +292,7 @@ int refuse(run::ExitCode code, const std::string& message, const std::string& hi
 
 }  // namespace
 
-int import_map(ImportOptions options) {
+int import_map(MapImport options) {
   if (options.file == "-")
     return refuse(run::usage_error,
                   "--map needs the name of a file, which the deck names", "");
@@ -383,4 +383,4 @@ int import_map(ImportOptions options) {
   return run::done;
 }
 
-}  // namespace blocks::apps
+}  // namespace blocks::convert
