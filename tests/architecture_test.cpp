@@ -87,6 +87,8 @@ TEST(Architecture, SourceFoldersAreFound) {
   for (const Include& include : includes())
     folders.insert(include.folder);
   EXPECT_EQ(folders, (std::set<std::string>{"apps",
+                                            "apps/help",
+                                            "apps/options",
                                             "audit",
                                             "convert",
                                             "dblock",

@@ -18,6 +18,9 @@
 #include <utility>
 #include <vector>
 
+#include "apps/help/help_page.hpp"
+#include "apps/help/wrong_word.hpp"
+#include "apps/options/option_checks.hpp"
 #include "bundled_fonts.hpp"
 #include "cards_command.hpp"
 #include "check_command.hpp"
@@ -28,12 +31,10 @@
 #include "files/file_error.hpp"
 #include "fos_command.hpp"
 #include "geometry/numeric_environment.hpp"
-#include "help_page.hpp"
 #include "history_command.hpp"
 #include "import_command.hpp"
 #include "joints_command.hpp"
 #include "manual_command.hpp"
-#include "option_checks.hpp"
 #include "plot_command.hpp"
 #include "report_command.hpp"
 #include "run/run.hpp"
@@ -42,7 +43,6 @@
 #include "sweep_command.hpp"
 #include "view_command.hpp"
 #include "why_command.hpp"
-#include "wrong_word.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define BLOCKS_SANITIZED

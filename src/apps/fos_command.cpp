@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
-#include "option_checks.hpp"
+#include "apps/options/option_checks.hpp"
 
 namespace blocks::apps {
 namespace {

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <optional>
 
+#include "apps/options/quoted_list.hpp"
 #include "draw/chart/line_chart.hpp"
 #include "draw/number_text.hpp"
 #include "files/check_outputs.hpp"
@@ -20,7 +21,6 @@
 #include "post/chart/profile.hpp"
 #include "post/export/number_table.hpp"
 #include "post/read/crack_tracker.hpp"
-#include "quoted_list.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common_options.hpp"
+#include "apps/options/common_options.hpp"
 
 namespace blocks::apps {
 

@@ -8,13 +8,13 @@
 #include <iostream>
 #include <set>
 
+#include "apps/options/option_checks.hpp"
 #include "fault.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
 #include "joints/fit_report.hpp"
 #include "joints/map_figure.hpp"
 #include "joints/statistics.hpp"
-#include "option_checks.hpp"
 #include "run/run.hpp"
 #include "text/counted.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common_options.hpp"
+#include "apps/options/common_options.hpp"
 #include "convert/joint_maps.hpp"
 
 namespace blocks::apps {

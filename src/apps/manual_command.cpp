@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "bash_completion.hpp"
+#include "apps/help/bash_completion.hpp"
+#include "apps/help/program_manual.hpp"
 #include "deck/cards_manual.hpp"
 #include "files/file_tools.hpp"
-#include "program_manual.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {

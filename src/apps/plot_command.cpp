@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "apps/options/quoted_list.hpp"
 #include "dblock/cards.hpp"
 #include "dblock/plots.hpp"
 #include "deck/free_field.hpp"
@@ -21,7 +22,6 @@
 #include "post/read/material_list.hpp"
 #include "post/read/quantity.hpp"
 #include "quantities/statistic.hpp"
-#include "quoted_list.hpp"
 #include "run/run.hpp"
 #include "text/capitals.hpp"
 #include "text/counted.hpp"

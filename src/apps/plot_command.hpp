@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common_options.hpp"
+#include "apps/options/common_options.hpp"
 #include "post/figure/figure.hpp"
 
 namespace blocks::apps {

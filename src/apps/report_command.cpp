@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "common_options.hpp"
+#include "apps/options/common_options.hpp"
+#include "apps/options/quoted_list.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
 #include "quantities/quantity.hpp"
-#include "quoted_list.hpp"
 #include "report/charts.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"

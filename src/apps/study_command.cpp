@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/options/option_checks.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
-#include "option_checks.hpp"
 #include "run/run.hpp"
 #include "study/figure.hpp"
 #include "study/report.hpp"

@@ -8,10 +8,10 @@
 #include <memory>
 #include <thread>
 
+#include "apps/options/option_checks.hpp"
 #include "fault.hpp"
 #include "files/file_tools.hpp"
 #include "files/name_lock.hpp"
-#include "option_checks.hpp"
 #include "run/run.hpp"
 #include "run/support/shell_word.hpp"
 #include "sweep/slurm_engine.hpp"

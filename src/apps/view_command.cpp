@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "common_options.hpp"
+#include "apps/options/common_options.hpp"
 #include "files/check_outputs.hpp"
 #include "files/file_tools.hpp"
 #include "post/page/view_page.hpp"

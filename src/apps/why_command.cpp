@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "apps/help/option_text.hpp"
 #include "audit/make_exact_rule.hpp"
-#include "option_text.hpp"
 #include "run/run.hpp"
 #include "text/number.hpp"
 #include "why/report.hpp"

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 
+#include "apps/manual_command.hpp"
 #include "command_pages.hpp"
-#include "manual_command.hpp"
 #include "option_text.hpp"
 #include "run/run.hpp"
 #include "text/roff.hpp"

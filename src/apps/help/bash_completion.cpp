@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "apps/manual_command.hpp"
 #include "deck/card_table.hpp"
-#include "manual_command.hpp"
 #include "option_text.hpp"
 #include "quantities/energy.hpp"
 #include "quantities/model_quantity.hpp"
