@@ -116,6 +116,9 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "model",
                                             "model/words",
                                             "output",
+                                            "output/checkpoint",
+                                            "output/listing",
+                                            "output/results",
                                             "post/chart",
                                             "post/export",
                                             "post/figure",
@@ -381,7 +384,7 @@ TEST(Architecture, PostIncludesOnlyShapesOfGeometry) {
 TEST(Architecture, PostIncludesOnlyResultsOfOutput) {
   for (const Include& include : includes())
     if (top_of(include) == "post" && folder_of(include.target) == "output") {
-      EXPECT_TRUE(include.target.starts_with("output/results"))
+      EXPECT_TRUE(include.target.starts_with("output/results/"))
           << include.file << " includes " << include.target;
     }
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "files/name_lock.hpp"
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 
 namespace blocks::library {
 

@@ -11,7 +11,7 @@
 #include "files/file_tools.hpp"
 #include "library/simulation_state.hpp"
 #include "model/equilibrium.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/support/deck_file.hpp"
 

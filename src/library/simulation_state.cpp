@@ -12,7 +12,7 @@
 #include "dynamics/preparation/mass_scaling.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/deck_messages.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "run/builder/builder.hpp"
 #include "run/cutting/joint_files.hpp"
 #include "run/executor/executor.hpp"

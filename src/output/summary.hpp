@@ -8,7 +8,7 @@
 #include "model/assembly_certificate.hpp"
 #include "model/audit_totals.hpp"
 #include "model/model.hpp"
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 
 namespace blocks::output {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 #include "post/chart/history.hpp"
 #include "report/name_list.hpp"
 #include "report/outcome_labels.hpp"

@@ -7,7 +7,7 @@
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "run/builder/builder_state.hpp"
 #include "run/support/run_options.hpp"
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "files/file_error.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "post/read/results_nearby.hpp"
 #include "post/read/results_reader.hpp"
 

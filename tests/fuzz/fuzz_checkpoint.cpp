@@ -7,7 +7,7 @@
 #include "dynamics/stepper.hpp"
 #include "files/file_error.hpp"
 #include "memory_file.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "output/sealed.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -8,7 +8,7 @@
 
 #include "files/file_error.hpp"
 #include "memory_file.hpp"
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 #include "post/read/results_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 // FOLDER/checkpoint/. The seeds are files of the present format.
 #include <filesystem>
 
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "output/sample_model.hpp"
 
 int main(int argc, char** argv) {

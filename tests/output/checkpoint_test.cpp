@@ -1,11 +1,11 @@
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "output/model_archive.hpp"
+#include "output/checkpoint/model_archive.hpp"
 #include "sample_model.hpp"
 #include "tools/fields.hpp"
 

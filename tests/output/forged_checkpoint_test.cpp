@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "dynamics/stepper.hpp"
-#include "output/checkpoint.hpp"
-#include "output/checkpoint_validation.hpp"
-#include "output/model_archive.hpp"
+#include "output/checkpoint/checkpoint.hpp"
+#include "output/checkpoint/checkpoint_validation.hpp"
+#include "output/checkpoint/model_archive.hpp"
 #include "sample_model.hpp"
 #include "sealed.hpp"
 

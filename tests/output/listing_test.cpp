@@ -1,4 +1,4 @@
-#include "output/listing.hpp"
+#include "output/listing/listing.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

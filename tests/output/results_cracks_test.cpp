@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/hdf5_handle.hpp"
-#include "output/listing.hpp"
+#include "output/listing/listing.hpp"
 #include "output/summary.hpp"
 #include "post/read/results_reader.hpp"
 #include "sample_model.hpp"

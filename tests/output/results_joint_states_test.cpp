@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "files/hdf5_handle.hpp"
-#include "output/listing.hpp"
+#include "output/listing/listing.hpp"
 #include "post/read/results_reader.hpp"
 #include "sample_model.hpp"
 

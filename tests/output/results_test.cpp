@@ -1,4 +1,4 @@
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include "files/file_access_guard.hpp"
 #include "files/file_tools.hpp"
 #include "files/hdf5_handle.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "post/read/results_reader.hpp"
 #include "sample_model.hpp"
 

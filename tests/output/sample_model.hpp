@@ -10,7 +10,7 @@
 
 #include "files/file_error.hpp"
 #include "model/model.hpp"
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 
 namespace blocks::samples {
 

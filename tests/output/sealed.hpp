@@ -6,7 +6,7 @@
 #include <string>
 
 #include "files/fnv1a.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 
 namespace blocks::samples {
 

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "post/read/results_reader.hpp"
 #include "tools/program.hpp"
 #include "tools/sanitized.hpp"

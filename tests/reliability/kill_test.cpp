@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "post/read/results_reader.hpp"
 #include "tools/program.hpp"
 #include "tools/stored.hpp"

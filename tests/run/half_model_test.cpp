@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {

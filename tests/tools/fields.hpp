@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "output/model_fields.hpp"
+#include "output/checkpoint/model_fields.hpp"
 
 namespace blocks::samples {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "files/hdf5_handle.hpp"
-#include "output/results_mark.hpp"
-#include "output/results_names.hpp"
+#include "output/results/results_mark.hpp"
+#include "output/results/results_names.hpp"
 #include "post/read/frame_units.hpp"
 #include "post/read/results_reader.hpp"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <vector>
 
-#include "output/results_mark.hpp"
+#include "output/results/results_mark.hpp"
 
 namespace blocks::post {
 

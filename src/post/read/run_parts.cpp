@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 #include "post/read/results_reader.hpp"
 
 namespace blocks::post {

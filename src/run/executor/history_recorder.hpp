@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 #include "quantities/curve_values.hpp"
 #include "quantities/multiples.hpp"
 

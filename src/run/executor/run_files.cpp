@@ -8,7 +8,7 @@
 
 #include "files/file_tools.hpp"
 #include "files/name_lock.hpp"
-#include "output/results_mark.hpp"
+#include "output/results/results_mark.hpp"
 #include "run/executor/saved_state.hpp"
 #include "run/support/shell_word.hpp"
 

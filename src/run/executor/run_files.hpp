@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "output/checkpoint.hpp"
-#include "output/listing.hpp"
-#include "output/results.hpp"
+#include "output/checkpoint/checkpoint.hpp"
+#include "output/listing/listing.hpp"
+#include "output/results/results.hpp"
 #include "output/summary.hpp"
 
 namespace blocks::run {

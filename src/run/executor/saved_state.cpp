@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "files/file_tools.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "run/support/deck_file.hpp"
 
 namespace blocks::run {

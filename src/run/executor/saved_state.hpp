@@ -6,7 +6,7 @@
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 
 namespace blocks::run {
 

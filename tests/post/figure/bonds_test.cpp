@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/results.hpp"
+#include "output/results/results.hpp"
 #include "post/figure/figure.hpp"
 #include "post/page/view_data.hpp"
 #include "post/read/joint_faces.hpp"

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "output/results_names.hpp"
+#include "output/results/results_names.hpp"
 #include "post/page/view_data.hpp"
 #include "post/read/quantity.hpp"
 #include "tools/program.hpp"

@@ -11,7 +11,7 @@
 #include <functional>
 #include <optional>
 
-#include "output/results_mark.hpp"
+#include "output/results/results_mark.hpp"
 #include "output/sample_model.hpp"
 #include "post/read/results_reader.hpp"
 #include "tools/program.hpp"

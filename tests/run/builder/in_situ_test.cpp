@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "model/equilibrium.hpp"
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "post/read/results_reader.hpp"
 #include "tools/program.hpp"
 #include "tools/stored.hpp"

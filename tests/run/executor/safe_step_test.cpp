@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output/checkpoint.hpp"
+#include "output/checkpoint/checkpoint.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {
