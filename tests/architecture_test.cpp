@@ -93,6 +93,8 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "convert",
                                             "dblock",
                                             "deck",
+                                            "deck/cards",
+                                            "deck/mesh",
                                             "draw",
                                             "draw/chart",
                                             "dynamics",

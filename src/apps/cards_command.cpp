@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "deck/cards_text.hpp"
+#include "deck/cards/cards_text.hpp"
+#include "deck/cards/settable.hpp"
 #include "deck/parser.hpp"
-#include "deck/settable.hpp"
 #include "run/run.hpp"
 #include "run/support/deck_file.hpp"
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "convert/import_map.hpp"
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 #include "exchange/deck_skeleton.hpp"
 #include "exchange/foreign_form.hpp"
 #include "exchange/forms.hpp"

@@ -5,7 +5,7 @@
 
 #include "apps/help/bash_completion.hpp"
 #include "apps/help/program_manual.hpp"
-#include "deck/cards_manual.hpp"
+#include "deck/cards/cards_manual.hpp"
 #include "files/file_tools.hpp"
 #include "run/run.hpp"
 

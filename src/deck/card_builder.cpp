@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <map>
 
-#include "deck/block_choices.hpp"
-#include "deck/law_cards.hpp"
-#include "deck/water_cards.hpp"
+#include "deck/cards/block_choices.hpp"
+#include "deck/cards/law_cards.hpp"
+#include "deck/cards/water_cards.hpp"
 
 namespace blocks::deck {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "deck/diagnostics.hpp"
 
 namespace blocks::deck {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
 #include "deck/free_field.hpp"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/card_lists.hpp"
 #include "deck/card_reader.hpp"
+#include "deck/cards/card_lists.hpp"
 
 namespace blocks::deck {
 

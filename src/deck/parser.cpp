@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "deck/card_builder.hpp"
-#include "deck/card_lists.hpp"
 #include "deck/card_order.hpp"
 #include "deck/card_reader.hpp"
+#include "deck/cards/card_lists.hpp"
 #include "deck/cut_group.hpp"
 #include "deck/deck_text.hpp"
 #include "deck/known_materials.hpp"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 
 namespace blocks::deck {
 

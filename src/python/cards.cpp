@@ -2,7 +2,7 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 
 namespace blocks::python {
 namespace {

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "draw/axes.hpp"
 #include "draw/number_text.hpp"
 

@@ -1,9 +1,9 @@
-#include "deck/cards_text.hpp"
+#include "deck/cards/cards_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "deck/cut_group.hpp"
 #include "deck_test_tools.hpp"
 

@@ -13,7 +13,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 
 namespace blocks::deck::testing {
 

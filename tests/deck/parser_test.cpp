@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "deck/settable.hpp"
+#include "deck/cards/settable.hpp"
 #include "deck_test_tools.hpp"
 
 namespace blocks::deck {

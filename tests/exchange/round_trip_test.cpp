@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 #include "exchange/block_record.hpp"
 #include "exchange/geojson_reader.hpp"
 #include "exchange/mesh_writer.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

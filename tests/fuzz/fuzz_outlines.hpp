@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 #include "exchange/mesh_writer.hpp"
 #include "exchange/soundness_text.hpp"
 

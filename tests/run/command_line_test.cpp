@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {

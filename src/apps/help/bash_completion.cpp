@@ -6,7 +6,7 @@
 #include <map>
 
 #include "apps/manual_command.hpp"
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "option_text.hpp"
 #include "quantities/energy.hpp"
 #include "quantities/model_quantity.hpp"

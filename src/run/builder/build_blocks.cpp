@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "geometry/layer.hpp"
 #include "run/builder/face_joints.hpp"

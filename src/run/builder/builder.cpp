@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 #include "model/drives.hpp"
 #include "model/safe_fraction.hpp"
 #include "run/builder/build_blocks.hpp"

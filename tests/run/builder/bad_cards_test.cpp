@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 #include "deck/free_field.hpp"
 #include "run/run.hpp"
 #include "tools/program.hpp"

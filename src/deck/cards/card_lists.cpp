@@ -1,4 +1,4 @@
-#include "deck/card_lists.hpp"
+#include "deck/cards/card_lists.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
-#include "deck/problem_cards.hpp"
+#include "deck/cards/problem_cards.hpp"
 
-#include "deck/block_cards.hpp"
-#include "deck/crack_cards.hpp"
-#include "deck/joint_cards.hpp"
-#include "deck/law_cards.hpp"
+#include "deck/cards/block_cards.hpp"
+#include "deck/cards/crack_cards.hpp"
+#include "deck/cards/joint_cards.hpp"
+#include "deck/cards/law_cards.hpp"
+#include "deck/cards/rest_cards.hpp"
+#include "deck/cards/water_cards.hpp"
 #include "deck/ranges.hpp"
-#include "deck/rest_cards.hpp"
-#include "deck/water_cards.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {

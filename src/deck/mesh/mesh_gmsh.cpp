@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "deck/mesh_forms.hpp"
+#include "deck/mesh/mesh_forms.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::deck::mesh {

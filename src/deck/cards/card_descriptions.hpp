@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 
 namespace blocks::deck {
 

@@ -1,4 +1,4 @@
-#include "deck/block_choices.hpp"
+#include "deck/cards/block_choices.hpp"
 
 #include <fmt/format.h>
 

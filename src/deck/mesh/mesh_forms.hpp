@@ -1,6 +1,6 @@
 // Parts shared by the readers of READ9's four forms: messages, lines of fields, Fortran
 // records, and the collector that turns elements into clockwise outlines. Private to
-// src/deck/mesh_*.cpp; independent of cards.
+// src/deck/mesh; independent of cards.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 
 namespace blocks::deck::mesh {
 

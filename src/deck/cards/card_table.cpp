@@ -1,9 +1,9 @@
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 
 #include <fmt/format.h>
 
+#include "deck/cards/problem_cards.hpp"
 #include "deck/free_field.hpp"
-#include "deck/problem_cards.hpp"
 #include "deck/ranges.hpp"
 #include "geometry/vec2.hpp"
 #include "text/capitals.hpp"

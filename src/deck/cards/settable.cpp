@@ -1,4 +1,4 @@
-#include "deck/settable.hpp"
+#include "deck/cards/settable.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "deck/water_cards.hpp"
+#include "deck/cards/water_cards.hpp"
 
 #include "deck/commands.hpp"
 #include "deck/ranges.hpp"

@@ -1,4 +1,4 @@
-#include "deck/card_descriptions.hpp"
+#include "deck/cards/card_descriptions.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // RENUM. It is the nearest relative of the lost tape of 1973 (docs/mesh-formats.md).
 #include <fmt/format.h>
 
-#include "deck/mesh_forms.hpp"
+#include "deck/mesh/mesh_forms.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::deck::mesh {

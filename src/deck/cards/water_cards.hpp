@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/card_reader.hpp"
-#include "deck/card_table.hpp"
+#include "deck/cards/card_table.hpp"
 
 namespace blocks::deck {
 

@@ -1,4 +1,4 @@
-#include "deck/rest_cards.hpp"
+#include "deck/cards/rest_cards.hpp"
 
 #include "deck/commands.hpp"
 #include "deck/ranges.hpp"

@@ -1,10 +1,10 @@
-#include "deck/cards_manual.hpp"
+#include "deck/cards/cards_manual.hpp"
 
 #include <fmt/format.h>
 
-#include "deck/card_descriptions.hpp"
-#include "deck/card_table.hpp"
-#include "deck/cards_text.hpp"
+#include "deck/cards/card_descriptions.hpp"
+#include "deck/cards/card_table.hpp"
+#include "deck/cards/cards_text.hpp"
 #include "text/roff.hpp"
 
 namespace blocks::deck {

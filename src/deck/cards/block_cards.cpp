@@ -1,4 +1,4 @@
-#include "deck/block_cards.hpp"
+#include "deck/cards/block_cards.hpp"
 
 #include "deck/ranges.hpp"
 

@@ -1,4 +1,4 @@
-#include "deck/crack_cards.hpp"
+#include "deck/cards/crack_cards.hpp"
 
 #include "deck/ranges.hpp"
 

@@ -1,11 +1,11 @@
-#include "deck/cards_text.hpp"
+#include "deck/cards/cards_text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
-#include "deck/card_descriptions.hpp"
-#include "deck/card_table.hpp"
+#include "deck/cards/card_descriptions.hpp"
+#include "deck/cards/card_table.hpp"
 #include "text/suggest.hpp"
 
 namespace blocks::deck {

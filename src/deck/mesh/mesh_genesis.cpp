@@ -3,7 +3,7 @@
 // are skipped.
 #include <fmt/format.h>
 
-#include "deck/mesh_forms.hpp"
+#include "deck/mesh/mesh_forms.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::deck::mesh {

@@ -1,4 +1,4 @@
-#include "deck/law_cards.hpp"
+#include "deck/cards/law_cards.hpp"
 
 #include <fmt/format.h>
 

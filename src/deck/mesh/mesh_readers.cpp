@@ -1,7 +1,7 @@
 // Recognises which of READ9's four forms a file has and collects its elements (report
 // A.2.3). The QMESH tape of 1973 is lost; docs/mesh-formats.md says what is read in its
 // place.
-#include "deck/mesh_readers.hpp"
+#include "deck/mesh/mesh_readers.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include <iterator>
 #include <limits>
 
-#include "deck/mesh_forms.hpp"
+#include "deck/mesh/mesh_forms.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::deck {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "deck/mesh_forms.hpp"
+#include "deck/mesh/mesh_forms.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::deck::mesh {

@@ -1,4 +1,4 @@
-#include "deck/joint_cards.hpp"
+#include "deck/cards/joint_cards.hpp"
 
 #include "deck/ranges.hpp"
 

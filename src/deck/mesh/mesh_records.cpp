@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "deck/mesh_forms.hpp"
+#include "deck/mesh/mesh_forms.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::deck::mesh {
