@@ -215,8 +215,8 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"library",
        {"library", "run", "deck", "dynamics", "output", "files", "model", "geometry"}},
       {"python",
-       {"library", "study", "post", "draw", "run", "deck", "quantities", "files",
-        "model", "geometry"}},
+       {"python", "library", "study", "post", "draw", "run", "deck", "quantities",
+        "files", "model", "geometry"}},
   };
   for (const Include& include : includes()) {
     const std::string target = folder_of(include.target);

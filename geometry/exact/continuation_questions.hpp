@@ -20,8 +20,8 @@ namespace blocks::geometry::continuation {
 
 using CGAL::square;
 using sides::Interval;
-using sides::max;
-using sides::min;
+using sides::max_of;
+using sides::min_of;
 using sides::Rational;
 
 /// A vector, or a point as the vector from the origin of coordinates.
@@ -82,7 +82,7 @@ void each_axis(Outline moving, Outline resting, const Visit& visit) {
       const Side<Number> side(own, i);
       Number deepest = side.area(Arrow<Number>(other.front()));
       for (const Vec2& corner : other.subspan(1))
-        deepest = max(deepest, side.area(Arrow<Number>(corner)));
+        deepest = max_of(deepest, side.area(Arrow<Number>(corner)));
       visit(deepest, side, sign);
     }
   };
@@ -95,9 +95,9 @@ void each_axis(Outline moving, Outline resting, const Visit& visit) {
 template <class Number> Number separating_shift2(Outline one, Outline other) {
   std::optional<Number> found;
   each_axis<Number>(one, other, [&](const Number& area, const Side<Number>& side, int) {
-    const Number inside = max(Number(0), area);
+    const Number inside = max_of(Number(0), area);
     const Number shift2 = square(inside) / side.length2();
-    found = found ? min(*found, shift2) : shift2;
+    found = found ? min_of(*found, shift2) : shift2;
   });
   return *found;
 }
@@ -115,10 +115,10 @@ template <class Number> class Range {
   }
   const Number& from() const { return *from_; }
   const Number& to() const { return *to_; }
-  void raise(const Number& limit) { from_ = from_ ? max(*from_, limit) : limit; }
+  void raise(const Number& limit) { from_ = from_ ? max_of(*from_, limit) : limit; }
 
  private:
-  void lower(const Number& limit) { to_ = to_ ? min(*to_, limit) : limit; }
+  void lower(const Number& limit) { to_ = to_ ? min_of(*to_, limit) : limit; }
   /// The sign of the gain is not known, as for parallel lines, or the gain is 0.
   void cut_by_either(const Number& value, const Number& gain) {
     if constexpr (std::is_same_v<Number, Interval>) {
@@ -159,7 +159,7 @@ template <class Number> class AxisQuestion {
     if (!slide || !is_local(third, which, shift2))
       return false;
     const Number forward = slide->to(), backward = -slide->from();
-    const Number max_way = Number(longest_way) * min(forward, backward);
+    const Number max_way = Number(longest_way) * min_of(forward, backward);
     return (forward > max_way || Number(1) - low_ - forward < forward) &&
            (backward > max_way || high_ - backward < backward);
   }
@@ -190,8 +190,9 @@ template <class Number> class AxisQuestion {
     const Number sign(which == Continues::own ? 1 : -1);
     const Number depth = area_ / length2_;  // in lengths of the side
     const Arrow<Number> out = (sign * depth) * e_.along.left(), way = sign * e_.along;
-    const Number enough2 = max(square(Number(remaining_share) * area_),
-                               square(Number(remaining_overlap)) * shift2 * length2_);
+    const Number enough2 =
+        max_of(square(Number(remaining_share) * area_),
+               square(Number(remaining_overlap)) * shift2 * length2_);
     Range<Number> range;
     bool overlap = true;
     each_axis<Number>(moving(which), third,
@@ -211,15 +212,16 @@ template <class Number> class AxisQuestion {
   bool is_local(Outline third, Continues which, const Number& shift2) const {
     const Number depth2 = square(area_) / length2_;
     const Number width2 =
-        min(square(Number(joint_width)) * max(depth2, shift2),
-            square(Number(widest_joint)) *
-                min(longest_side2(axis_.own), longest_side2(axis_.other)));
+        min_of(square(Number(joint_width)) * max_of(depth2, shift2),
+               square(Number(widest_joint)) *
+                   min_of(longest_side2(axis_.own), longest_side2(axis_.other)));
     if (which == Continues::other && axis_.facing < 0)
       return is_within(corner_, third, width2);
     // The middle of what the two faces have in common, or the foot of the corner.
     const Number zero(0), one(1);
     const Number at =
-        (max(zero, min(one, low_)) + max(zero, min(one, high_))) / Number(2);
+        (max_of(zero, min_of(one, low_)) + max_of(zero, min_of(one, high_))) /
+        Number(2);
     const Arrow<Number> middle = e_.at(at);
     if (which == Continues::own)
       return is_beyond(middle, e_.along.left(), third, width2);
@@ -233,7 +235,7 @@ template <class Number> class AxisQuestion {
     bool is_inside = true;
     for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
       const Side<Number> side(polygon, i);
-      const Number foot = max(Number(0), min(Number(1), side.foot(point)));
+      const Number foot = max_of(Number(0), min_of(Number(1), side.foot(point)));
       const Arrow<Number> apart = point - side.at(foot);
       if (dot(apart, apart) <= distance2)
         return true;
@@ -245,7 +247,7 @@ template <class Number> class AxisQuestion {
   static Number longest_side2(Outline polygon) {
     Number found(0);
     for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
-      found = max(found, Side<Number>(polygon, i).length2());
+      found = max_of(found, Side<Number>(polygon, i).length2());
     return found;
   }
   /// Returns whether a ray meets a polygon within a distance, given by its square.
@@ -278,7 +280,7 @@ template <class Number> class AxisQuestion {
     }
     return true;
   }
-  Number depth2() const { return square(max(Number(0), area_)) / length2_; }
+  Number depth2() const { return square(max_of(Number(0), area_)) / length2_; }
 
  private:
   const PolygonAxis& axis_;
@@ -328,7 +330,7 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t k = i + 1; k < vertices.size(); ++k) {
       const Arrow<Number> apart = vertices[k] - vertices[i];
-      found = max(found, dot(apart, apart));
+      found = max_of(found, dot(apart, apart));
     }
   return found;
 }

@@ -38,21 +38,21 @@ template <class Number> Number dot(const Vector<Number>& a, const Vector<Number>
 /// Thrown if a bound of an interval is NaN.
 struct Overflow {};
 
-inline Exact min(const Exact& a, const Exact& b) { return b < a ? b : a; }
-inline Exact max(const Exact& a, const Exact& b) { return a < b ? b : a; }
-inline Rational min(const Rational& a, const Rational& b) { return b < a ? b : a; }
-inline Rational max(const Rational& a, const Rational& b) { return a < b ? b : a; }
+inline Exact min_of(const Exact& a, const Exact& b) { return b < a ? b : a; }
+inline Exact max_of(const Exact& a, const Exact& b) { return a < b ? b : a; }
+inline Rational min_of(const Rational& a, const Rational& b) { return b < a ? b : a; }
+inline Rational max_of(const Rational& a, const Rational& b) { return a < b ? b : a; }
 
 /// Throws if a bound is NaN, as after an overflow; std::min and std::max would drop it.
 inline void require_bounds(const Interval& a) {
   if (std::isnan(a.inf()) || std::isnan(a.sup()))
     throw Overflow();
 }
-inline Interval min(const Interval& a, const Interval& b) {
+inline Interval min_of(const Interval& a, const Interval& b) {
   require_bounds(a), require_bounds(b);
   return {std::min(a.inf(), b.inf()), std::min(a.sup(), b.sup())};
 }
-inline Interval max(const Interval& a, const Interval& b) {
+inline Interval max_of(const Interval& a, const Interval& b) {
   require_bounds(a), require_bounds(b);
   return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
@@ -68,7 +68,7 @@ template <class Number> struct Part {
   Number from, to;
   Number length() const { return to - from; }
   Part common(const Part& other) const {
-    return {max(from, other.from), min(to, other.to)};
+    return {max_of(from, other.from), min_of(to, other.to)};
   }
   bool is_empty() const { return CGAL::certainly(to <= from); }
   bool may_be_empty() const { return CGAL::possibly(to <= from); }

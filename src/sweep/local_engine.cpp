@@ -81,7 +81,7 @@ class LocalEngine {
   }
 
   void pass_on_signals() {
-    const SignalWatch::Asked request = signals_.request();
+    const SignalWatch::Asked request = signals_.asked();
     if (request == SignalWatch::Asked::nothing)
       return;
     for (const Worker& worker : workers_)

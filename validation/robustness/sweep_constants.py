@@ -10,6 +10,7 @@ two cores. The chart is drawn again from the table with --draw.
 import csv
 import itertools
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -96,7 +97,9 @@ def build(folder):
     left_out = shutil.ignore_patterns("build", ".git")
     shutil.copytree(ROOT, folder, dirs_exist_ok=True, ignore=left_out)
     constants = folder / "geometry/contact_constants.hpp"
-    constants.write_text("#pragma once\n" + FROM_ENVIRONMENT)
+    others = re.search(r"^struct Certainty \{.*?^\};\n", constants.read_text(), re.M | re.S)[0]
+    constants.write_text(
+        f"#pragma once\n{FROM_ENVIRONMENT}namespace blocks::geometry {{\n{others}}}\n")
     for name, changes in CHANGES.items():
         text = (folder / name).read_text()
         for old, new in changes:

@@ -31,7 +31,7 @@ void ContactArrays::keep_held(std::vector<PairContact>& now,
                               const std::vector<PairContact>& before) const {
   std::erase_if(now, [&](const PairContact& found) {
     return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
-      return old.acted && old.joint.bonded && old.at.corner == found.at.corner &&
+      return old.acted && old.law_state.bonded && old.at.corner == found.at.corner &&
              old.at.edge != found.at.edge;
     });
   });
@@ -84,9 +84,9 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
       ++next;
     if (next != now.end() && next->at == old.at)
       next->acted = old.acted, next->normal = old.normal, next->shear = old.shear,
-      next->joint = old.joint;
+      next->law_state = old.law_state;
     else if (old.normal > 0.0)
-      changes.released.push_back({p, old.at, old.normal, old.shear, old.joint});
+      changes.released.push_back({p, old.at, old.normal, old.shear, old.law_state});
   }
   if (!fits) {
     changes.grown.add(p, now, !laws.none());

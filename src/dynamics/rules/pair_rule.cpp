@@ -17,9 +17,9 @@ namespace {
 class PairRule {
  public:
   PairRule(const Blocks& blocks, const BlockParts& parts, const Groups& neighbours,
-           const RuleParts& with, PairScratch& scratch)
-      : blocks_(blocks), parts_(parts), neighbours_(neighbours), with_(with),
-        scratch_(scratch) {
+           const RuleParts& rule_parts, PairScratch& scratch)
+      : blocks_(blocks), parts_(parts), neighbours_(neighbours),
+        rule_parts_(rule_parts), scratch_(scratch) {
     clear();
   }
 
@@ -121,7 +121,7 @@ class PairRule {
   template <class Question> bool ask_of_pair(int p, int q, const Question& question) {
     if (!scratch_.of_third)
       scratch_.of_third = std::make_unique<PairScratch>();
-    PairRule rule(blocks_, parts_, neighbours_, with_, *scratch_.of_third);
+    PairRule rule(blocks_, parts_, neighbours_, rule_parts_, *scratch_.of_third);
     const bool in_order = parts_.block(p) < parts_.block(q);
     const Search search = rule.find_axis(in_order ? p : q, in_order ? q : p);
     const bool answer = question(rule, search);
@@ -169,10 +169,10 @@ class PairRule {
   /// Returns whether a corner is far below a side.
   bool is_far(const PairSide& corner, const PairSide& side) {
     const geometry::filter::Estimate &depth = shape_.depth(side, corner.index),
-                                     &min_depth = shape_.depth(least_axis_);
-    if (!with_.far_axes ||
+                                     &least_depth = shape_.depth(least_axis_);
+    if (!rule_parts_.far_axes ||
         depth.value + depth.bound <=
-            geometry::deepest_share * (min_depth.value - min_depth.bound))
+            geometry::deepest_share * (least_depth.value - least_depth.bound))
       return false;
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
@@ -204,8 +204,8 @@ class PairRule {
         return geometry::is_hidden_by(polygons, third, which);
       });
     };
-    return with_.third_parts && (hides(own, geometry::Continues::own) ||
-                                 hides(1 - own, geometry::Continues::other));
+    return rule_parts_.third_parts && (hides(own, geometry::Continues::own) ||
+                                       hides(1 - own, geometry::Continues::other));
   }
   geometry::PolygonAxis as_polygons(const Axis& axis,
                                     const std::optional<PairSide>& facing) const {
@@ -217,7 +217,7 @@ class PairRule {
   /// Adds the contacts that act along an axis.
   void touch(const Axis& axis, const std::optional<PairSide>& facing) {
     shape_.each_along(
-        axis, with_.faces ? facing : std::nullopt,
+        axis, rule_parts_.faces ? facing : std::nullopt,
         [&](const PairSide& corner, const PairSide& side) {
           const PairSide below = find_side_below(corner, side);
           if (shape_.at(below).is_inner ||
@@ -260,7 +260,7 @@ class PairRule {
                                 least_axis = as_polygons(least_axis_, {});
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
-    return with_.third_parts &&
+    return rule_parts_.third_parts &&
            thirds(side.part).any([&](const geometry::Polygon& third) {
              return geometry::is_in_notch_of(polygons, third) ||
                     geometry::is_at_joint_with(c, e.start, e.end, least_axis, third);
@@ -270,7 +270,7 @@ class PairRule {
   const Blocks& blocks_;
   const BlockParts& parts_;
   const Groups& neighbours_;
-  const RuleParts& with_;
+  const RuleParts& rule_parts_;
   PairScratch& scratch_;
   PairShape shape_{scratch_.shape};
   KeptDepths depths_{shape_, parts_, scratch_.depths};
@@ -282,9 +282,9 @@ class PairRule {
 }  // namespace
 
 void decide_pair(const Blocks& blocks, const BlockParts& parts,
-                 const Groups& neighbours, int a, int b, const RuleParts& with,
+                 const Groups& neighbours, int a, int b, const RuleParts& rule_parts,
                  PairScratch& scratch) {
-  PairRule(blocks, parts, neighbours, with, scratch).decide(a, b);
+  PairRule(blocks, parts, neighbours, rule_parts, scratch).decide(a, b);
 }
 
 }  // namespace blocks::dynamics

@@ -25,7 +25,7 @@ struct RuleParts {
 /// what is needed to keep the decision. neighbours: the blocks that each block is
 /// paired with (each_third_part).
 void decide_pair(const Blocks& blocks, const BlockParts& parts,
-                 const Groups& neighbours, int a, int b, const RuleParts& with,
+                 const Groups& neighbours, int a, int b, const RuleParts& rule_parts,
                  PairScratch& scratch);
 
 }  // namespace blocks::dynamics

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "files/file_error.hpp"
 #include "post/read/results_nearby.hpp"
 
 namespace blocks::post {

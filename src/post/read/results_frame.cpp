@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "quantities/state.hpp"
+
 namespace blocks::post {
 
 namespace {

@@ -43,9 +43,9 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
       return pressed_for_time();
     }
     record_trial(model_, made->trial);
-    const std::string line = trial_line(made->trial);
-    files_.message(line);
-    console_.note(line);
+    const std::string message = trial_line(made->trial);
+    files_.message(message);
+    console_.note(message);
     keep_trial(base, *made);
     steps_made_ += made->trial.steps;
     save_checkpoint();
