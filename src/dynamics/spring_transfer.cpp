@@ -32,7 +32,7 @@ Spring joined(const Spring& own, const Spring& other, double cosine, double more
   return {std::clamp(own.force + cosine * other.force, -max, max), stiffness};
 }
 
-/// Chooses the contact that can take most of one released spring.
+/// Chooses the contact that takes one released spring, by one of two rules.
 class Choice {
  public:
   Choice(const Blocks& blocks, const ContactArrays& arrays,
@@ -46,134 +46,124 @@ class Choice {
         is_held_(arrays.laws.in_situ() && released.law_state.offset > 0.0),
         adds_(has_stiffness_ || is_held_) {}
 
+  /// Returns the best of the contacts of the same corner and of those of the pair.
   Successor best() {
     // Springs per length of a face keep to it, or to a face that continues it.
-    find(adds_ ? geometry::successor_cosine : 0.0);
+    const double min_cosine = adds_ ? geometry::successor_cosine : 0.0;
+    // Few contacts have the same corner, so this is tested first.
+    arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
+      each_acting(static_cast<int>(lane), [&](int slot) {
+        if (arrays_.at(slot).corner == released_.at.corner)
+          consider(slot, static_cast<int>(lane), min_cosine);
+      });
+    });
+    if (const int own = arrays_.lane_of_pair[released_.pair]; own >= 0)
+      each_acting(own,
+                  [&](int slot) { consider(slot, own, geometry::successor_cosine); });
     return best_;
   }
 
  private:
-  /// Finds the best candidate. The cosine of the angle between the edge of the released
-  /// contact and that of another contact of the same corner must be above `min`.
-  void find(double min) {
-    // Few contacts have the same corner, so this is tested first.
-    arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
-      each_row(static_cast<int>(lane), [&](int row, const ContactRow& contacts, int k) {
-        if (contacts.corner[k] == released_.at.corner && acts(row, k))
-          consider(row, static_cast<int>(lane), min);
-      });
-    });
-    const int own = arrays_.lane_of_pair[released_.pair];
-    if (own >= 0)
-      each_row(own, [&](int row, const ContactRow&, int k) {
-        if (acts(row, k))
-          consider(row, own, geometry::successor_cosine);
-      });
-  }
-  template <class Visit> void each_row(int lane, const Visit& visit) const {
+  /// Calls visit(slot) for each slot of a lane whose contact acts.
+  template <class Visit> void each_acting(int lane, const Visit& visit) const {
     const BatchPairs& batch = arrays_.batches.pairs[lane / lane_count];
     for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
-      visit(row, arrays_.batches.contacts[row], lane % lane_count);
-  }
-  bool acts(int row, int k) const {
-    return (arrays_.batches.states[row].acts >> k & 1U) != 0;
+      if ((arrays_.batches.states[row].acts >> lane % lane_count & 1U) != 0)
+        visit(row * lane_count + lane % lane_count);
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   /// Returns the unit vector along an edge.
   Vec2 along(int edge) const {
     return (at(blocks_.next[edge]) - at(edge)).normalized();
   }
-  bool has_stiffness(int row, int k) const {
-    return !arrays_.laws.none() &&
-           arrays_.laws.has_stiffness(arrays_.batches.faces[row].law[k]);
-  }
   /// Returns the depth of a corner below an edge, [L]; negative: a gap.
   double depth(const CornerOnEdge& place) const {
     return geometry::cross(at(place.corner) - at(place.edge), along(place.edge));
   }
-  /// Adds the released springs to those of a contact.
-  Successor added(int row, int lane_of_pair, double cosine) const {
-    const ContactBatches& batches = arrays_.batches;
-    const int lane = lane_of_pair % lane_count;
-    const SpringRow& springs = batches.springs[row];
-    const LawRow& law_states = batches.law_states[row];
-    const int edge = batches.contacts[row].edge[lane],
-              law = batches.faces[row].law[lane];
+  /// Returns a number of a slot.
+  template <class Row> double of(int slot, PerLane<double> Row::*column) const {
+    return arrays_.batches.at(slot, column);
+  }
+
+  /// Compares a contact with the best one so far. Its law has a stiffness of its own if
+  /// and only if the released one has. The cosine of the angle between the two edges
+  /// must be above `min_cosine`; if its corner belongs to the other block, its edge
+  /// runs in the opposite direction, so the sign of the cosine is changed.
+  void consider(int slot, int lane, double min_cosine) {
+    const bool has_stiffness =
+        !arrays_.laws.none() &&
+        arrays_.laws.has_stiffness(arrays_.batches.at(slot, &FaceRow::law));
+    const auto [corner, edge] = arrays_.at(slot);
+    const double sense = blocks_.corner_block[corner] == block_ ? 1.0 : -1.0;
+    const double cosine = sense * along_.dot(along(edge));
+    if (has_stiffness != has_stiffness_ || cosine <= min_cosine)
+      return;
+    if (adds_)
+      add_to_nearest(slot, lane, cosine);
+    else
+      strengthen_most(slot, lane, cosine);
+  }
+
+  /// Springs per length, and those that an offset holds: the nearest contact adds them
+  /// to its own.
+  void add_to_nearest(int slot, int lane, double cosine) {
+    const CornerOnEdge place = arrays_.at(slot);
+    const double distance = (at(place.corner) - at(released_.at.corner)).norm();
+    if (!(distance < nearest_))
+      return;
+    nearest_ = distance;
     // The time step is chosen for these stiffnesses. With STIFF an end of a face has
     // two contacts at most.
-    const double half = 0.5 * (at(blocks_.next[edge]) - at(edge)).norm();
-    const LawValues<double>& values = arrays_.laws.values(law);
+    const double half = 0.5 * (at(blocks_.next[place.edge]) - at(place.edge)).norm();
+    const LawValues<double>& values =
+        arrays_.laws.values(arrays_.batches.at(slot, &FaceRow::law));
     const auto limit = [&](double per_length, double usual) {
       return has_stiffness_ ? half * per_length : 2.0 * usual;
     };
+    const LawState& state = released_.law_state;
     // An end of a face that has opened has no stiffness to pass on.
-    const bool opened = !(depth(released_.at) + released_.law_state.offset > 0.0);
+    const bool opened = !(depth(released_.at) + state.offset > 0.0);
     const auto more = [&](double stiffness) {
       return opened ? 0.0 : cosine * cosine * stiffness;
     };
     const Spring normal =
-        joined({springs.normal_elastic[lane], law_states.stiffness[lane]},
-               {released_.normal, released_.law_state.stiffness}, cosine,
-               more(released_.law_state.stiffness),
+        joined({of(slot, &SpringRow::normal_elastic), of(slot, &LawRow::stiffness)},
+               {released_.normal, state.stiffness}, cosine, more(state.stiffness),
                limit(values.normal_stiffness, settings_.normal_stiffness));
-    const Spring shear =
-        joined({springs.shear_elastic[lane], law_states.shear_stiffness[lane]},
-               {released_.shear, released_.law_state.shear_stiffness}, cosine,
-               more(released_.law_state.shear_stiffness),
-               limit(values.shear_stiffness, settings_.shear_stiffness));
-    const CornerOnEdge place{batches.contacts[row].corner[lane], edge};
-    const double offset = is_held_
-                              ? std::max(law_states.offset[lane],
-                                         normal.force / normal.stiffness - depth(place))
-                              : 0.0;
-    return {row * lane_count + lane,
-            lane_of_pair / lane_count,
-            springs.normal_elastic[lane],
-            normal.force,
-            shear.force,
-            normal.stiffness,
-            shear.stiffness,
-            offset};
+    const Spring shear = joined(
+        {of(slot, &SpringRow::shear_elastic), of(slot, &LawRow::shear_stiffness)},
+        {released_.shear, state.shear_stiffness}, cosine, more(state.shear_stiffness),
+        limit(values.shear_stiffness, settings_.shear_stiffness));
+    best_ = {.slot = slot,
+             .batch = lane / lane_count,
+             .before = of(slot, &SpringRow::normal_elastic),
+             .normal = normal.force,
+             .shear = shear.force,
+             .stiffness = normal.stiffness,
+             .shear_stiffness = shear.stiffness,
+             .offset = is_held_
+                           ? std::max(of(slot, &LawRow::offset),
+                                      normal.force / normal.stiffness - depth(place))
+                           : 0.0};
   }
-  /// Makes a contact the best candidate if its normal spring gains more than that of
-  /// the best one so far. The cosine of the angle between the two edges has to be above
-  /// `min_cosine`. If the candidate's corner belongs to the other block, its edge
-  /// runs in the opposite direction, so the sign of the cosine is changed.
-  void consider(int row, int lane_of_pair, double min_cosine) {
-    if (has_stiffness_ != has_stiffness(row, lane_of_pair % lane_count))
-      return;
-    const int lane = lane_of_pair % lane_count;
-    const ContactRow& contacts = arrays_.batches.contacts[row];
-    const int corner = contacts.corner[lane];
-    const Vec2 edge = along(contacts.edge[lane]);
-    const double sense = blocks_.corner_block[corner] == block_ ? 1.0 : -1.0;
-    const double cosine = sense * along_.dot(edge);
-    if (cosine <= min_cosine)
-      return;
-    const double own = arrays_.batches.springs[row].normal_elastic[lane];
-    if (adds_) {
-      const double distance = (at(corner) - at(released_.at.corner)).norm();
-      if (distance < nearest_) {
-        nearest_ = distance;
-        best_ = added(row, lane_of_pair, cosine);
-      }
-      return;
-    }
+
+  /// Springs of STIFF: the contact whose normal spring gains most takes them. It keeps
+  /// the energy of both, within its overlap.
+  void strengthen_most(int slot, int lane, double cosine) {
+    const double own = of(slot, &SpringRow::normal_elastic);
     const double received = cosine * released_.normal;
-    const double offset =
-        arrays_.laws.in_situ() ? arrays_.batches.law_states[row].offset[lane] : 0.0;
-    const double overlap = std::max(
-        0.0, geometry::cross(at(corner) - at(contacts.edge[lane]), edge) + offset);
+    const double offset = arrays_.laws.in_situ() ? of(slot, &LawRow::offset) : 0.0;
+    const double overlap = std::max(0.0, depth(arrays_.at(slot)) + offset);
     const double both = std::min(std::sqrt(received * received + own * own),
                                  settings_.normal_stiffness * overlap);
-    if (both - own > gain_) {
-      gain_ = both - own;
-      best_ = {.slot = row * lane_count + lane,
-               .batch = lane_of_pair / lane_count,
-               .before = own,
-               .normal = both,
-               .shear = cosine * released_.shear};
-    }
+    if (!(both - own > gain_))
+      return;
+    gain_ = both - own;
+    best_ = {.slot = slot,
+             .batch = lane / lane_count,
+             .before = own,
+             .normal = both,
+             .shear = cosine * released_.shear};
   }
 
   const Blocks& blocks_;
@@ -185,9 +175,9 @@ class Choice {
   bool has_stiffness_;  ///< the law of the released contact has its own stiffness
   bool is_held_;        ///< an offset held the released contact, after INSITU
   bool adds_;           ///< the springs are added to those of the successor
-  double nearest_ = std::numeric_limits<double>::infinity();  ///< [L]
   Successor best_;
-  double gain_ = 0.0;
+  double nearest_ = std::numeric_limits<double>::infinity();  ///< [L]
+  double gain_ = 0.0;                                         ///< [F]
 };
 
 /// Stores the stiffnesses of a successor to whose springs those of `from` were added.
