@@ -1,6 +1,6 @@
 // Defines the function BLOCKS_ADVANCE of law_lanes.hpp with vectors of
 // BLOCKS_LANES_AT_ONCE numbers.
-#include "dynamics/law_lanes/law_lanes.hpp"
+#include "dynamics/kernels/law_lanes/law_lanes.hpp"
 
 namespace blocks::dynamics {
 namespace {

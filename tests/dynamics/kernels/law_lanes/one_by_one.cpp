@@ -1,3 +1,3 @@
 #define BLOCKS_ADVANCE advance_one_by_one
 #define BLOCKS_LANES_AT_ONCE 1
-#include "dynamics/law_lanes/law_lanes_body.hpp"
+#include "dynamics/kernels/law_lanes/law_lanes_body.hpp"

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "dynamics/motion.hpp"
-#include "dynamics/plain_motion.hpp"
+#include "dynamics/kernels/plain_motion.hpp"
 #include "dynamics/preparation/time_step.hpp"
 
 namespace blocks::dynamics {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "dynamics/kernels/contact_law.hpp"
-#include "dynamics/law_lanes/law_lanes.hpp"
+#include "dynamics/kernels/law_lanes/law_lanes.hpp"
 
 namespace blocks::dynamics {
 namespace {
