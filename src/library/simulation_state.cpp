@@ -157,12 +157,9 @@ Simulation::State::check(Model& trial, const deck::Deck& deck,
   if (!cards.empty() && std::holds_alternative<deck::Restart>(cards.front().card))
     load(trial, cards.front(), diagnostics);
   const int judged = trial.blocks.size();
-  run::Builder builder(trial, diagnostics, cards,
-                       {.seed = {},
-                        .tape9 = "tape9",
-                        .folder = folder,
-                        .unread = deck.unread,
-                        .overlaps = overlaps});
+  run::Builder builder(
+      trial, diagnostics,
+      {trial, cards, {.folder = folder, .unread = deck.unread, .overlaps = overlaps}});
   std::optional<Beginning> beginning;
   for (std::size_t i = 0; i < cards.size(); ++i) {
     apply(builder, cards[i], diagnostics);
@@ -171,7 +168,7 @@ Simulation::State::check(Model& trial, const deck::Deck& deck,
     if (!diagnostics.has_errors())
       builder.check_before_motion(cards[i], !beginning);
     if (!beginning && !diagnostics.has_errors())
-      beginning = Beginning{i, trial, builder, judged};
+      beginning = Beginning{i, trial, builder.state(), judged};
   }
   if (!beginning && !diagnostics.has_errors() && has_more_blocks(trial, judged))
     builder.check_before_motion(one_step(cards), true);

@@ -42,6 +42,14 @@ double of_corner(const std::string& name, int block, int corner, const BlockStat
 
 }  // namespace
 
+MaterialNumbers material_numbers(const Settings& settings) {
+  MaterialNumbers numbers;
+  for (const auto& [number, material] : settings.materials)
+    if (!material.name.empty())
+      numbers[material.name] = number;
+  return numbers;
+}
+
 int material_number(const std::string& material, const MaterialNumbers& numbers) {
   if (const auto found = numbers.find(material); found != numbers.end())
     return found->second;

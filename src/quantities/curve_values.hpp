@@ -14,6 +14,7 @@ namespace blocks::quantities {
 
 /// The numbers of materials by their names.
 using MaterialNumbers = std::map<std::string, int>;
+MaterialNumbers material_numbers(const Settings& settings);
 
 /// Returns the number that a curve means by its material: the text as a number, or the
 /// number of the material with that name. Returns 0 if there is none.

@@ -59,7 +59,7 @@ class Building {
   explicit Building(Job& job)
       : job_(job), cards_(job.deck.commands),
         model_(job.loads() ? load_to_check(job) : Model()),
-        builder_(model_, job.diagnostics, cards_, checking(job)),
+        builder_(model_, job.diagnostics, {model_, cards_, checking(job)}),
         first_(job.first_command()), in_place_(job.motions_before(first_) == 0),
         built_to_(cards_.size()) {
     if (job.resumes)
@@ -117,7 +117,7 @@ class Building {
     }
     in_place_ = false;
     if (!state_) {
-      state_ = builder_;
+      state_ = builder_.state();
       built_to_ = i;
     }
   }
@@ -137,7 +137,7 @@ class Building {
     add_stage(cards_.size());
     if (in_place_ && !has_errors() && !cards_.empty())
       builder_.check_without_motion(cards_.back());
-    state_ = builder_;
+    state_ = builder_.state();
   }
 
   void check_whole_deck() {

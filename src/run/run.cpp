@@ -59,7 +59,7 @@ CheckedDeck checked_deck(Job& job) {
     return checked;
   }
   checked.model = std::move(built->start());
-  checked.certificate = built->builder.certificate();
+  checked.certificate = built->builder.certificate;
   checked.notes = std::move(built->notes);
   if (checked.model.blocks.count_present() > 0)
     checked.time_step = dynamics::choose_time_step(checked.model).dt;
@@ -82,7 +82,7 @@ int run_deck(const RunOptions& options) {
     return job.fault;
   const Model& start = built->start();
   if (options.verbose) {
-    std::fputs(check_report(job.diagnostics.file(), start, built->builder.certificate())
+    std::fputs(check_report(job.diagnostics.file(), start, built->builder.certificate)
                    .c_str(),
                stderr);
     for (const std::string& note : built->notes)
@@ -95,7 +95,7 @@ int run_deck(const RunOptions& options) {
     return usage_error;
   }
   if (options.at_start && !job.loads())
-    options.at_start(start, built->builder.certificate());
+    options.at_start(start, built->builder.certificate);
   at_once.reset();
   Console console(!options.json, options.quiet);
   console.give_warnings_to(options.warn);

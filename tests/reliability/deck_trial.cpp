@@ -27,8 +27,7 @@ Verdict try_deck(const std::string& text, const std::string& folder, int steps) 
       std::holds_alternative<deck::Restart>(cards.commands.front().card))
     return Verdict::refused;  // A restart needs a checkpoint, which is missing.
   Model model;
-  run::Builder builder(model, told, cards.commands,
-                       {.seed = {}, .tape9 = "tape9", .folder = folder, .unread = {}});
+  run::Builder builder(model, told, {model, cards.commands, {.folder = folder}});
   dynamics::Workspace work;
   for (const deck::Command& command : cards.commands) {
     builder.apply(command);

@@ -1,84 +1,55 @@
-// The cards CRACK and MDAMP (docs/cracks.md).
-#include "run/builder/builder.hpp"
-
+// The card CRACK (docs/cracks.md).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "run/builder/cards.hpp"
+#include "run/builder/checks.hpp"
+#include "run/builder/names.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::run {
 
-using deck::Command;
-
-void Builder::let_crack(const Command& command, const deck::Crack& card) {
-  if (!has_material(command, card.mat))
+void act(const Context& context, const deck::Crack& card) {
+  if (!has_material(context, card.mat))
     return;
-  model_.settings.crack_rules[static_cast<int>(card.mat.value)] = {
-      card.ten.value, card.amin.value, card.tenp.given ? card.tenp.value : 0.0,
-      static_cast<int>(card.id.value)};
-  crack_cards_.emplace_back(card.mat.where, static_cast<int>(card.mat.value));
-  model_.time_step.blocks = 0;  // it has to allow for the pieces
+  const auto material = static_cast<int>(card.mat.value);
+  context.settings.crack_rules[material] = {card.ten.value, card.amin.value,
+                                            card.tenp.given ? card.tenp.value : 0.0,
+                                            static_cast<int>(card.id.value)};
+  context.state.cracks.push_back(context.command);
+  context.model.time_step.blocks = 0;  // it has to allow for the pieces
   // Blocks that were too small for the old card may not be for this one.
-  std::erase_if(model_.crack_refusals, [&](const RefusedCrack& refused) {
-    return model_.blocks.material[refused.block] == card.mat.value;
+  std::erase_if(context.model.crack_refusals, [&](const RefusedCrack& refused) {
+    return context.blocks.material[refused.block] == material;
   });
 }
 
-void Builder::damp_material(const Command& command, const deck::Mdamp& card) {
-  if (!has_material(command, card.mat))
-    return;
-  model_.settings.materials.at(static_cast<int>(card.mat.value)).damping = card.z.value;
-  model_.time_step.blocks = 0;  // strong damping needs a shorter one
-}
-
-void Builder::take_in_pieces() {
-  const int now = model_.blocks.size();
-  if (now == known_blocks_)
-    return;
-  if (motion_)
-    makers_.record(*motion_, now);
-  if (certificate_) {
-    AssemblyCertificate with_pieces = *certificate_;
-    with_pieces.blocks = with_pieces.moved = now;
-    certificate_ = std::make_shared<const AssemblyCertificate>(std::move(with_pieces));
-  }
-  known_blocks_ = checked_blocks_ = moved_blocks_ = domain_blocks_ = now;
-}
-
-void Builder::error_unsure(const Command& command, const deck::Int& number) {
-  diagnostics_.error(
-      number.where, command.name,
-      fmt::format(
-          "the block that gets the number {} is not known before the run: blocks "
-          "may split in the motion above",
-          number.value),
-      "make blocks before the motions in which others split, or name them by material "
-      "or outline");
-}
-
-void Builder::check_cracks() {
-  const Blocks& blocks = model_.blocks;
-  for (const auto& [where, material] : std::exchange(crack_cards_, {})) {
-    const double min = model_.settings.crack_rules.at(material).min_area;
+void check_cracks(const Context& context) {
+  const Blocks& blocks = context.blocks;
+  for (const deck::Command& command : std::exchange(context.state.cracks, {})) {
+    const deck::Int& given = std::get<deck::Crack>(command.card).mat;
+    const auto material = static_cast<int>(given.value);
+    const double min = context.settings.crack_rules.at(material).min_area;
     double largest = 0.0;
     for (int b = 0; b < blocks.size(); ++b)
       if (blocks.is_free(b) && blocks.material[b] == material)
         largest = std::max(largest, blocks.area[b]);
+    const Context card = context.of(command);
     if (largest < 2.0 * min)
-      diagnostics_.warning(
-          where, "CRACK",
-          largest == 0.0
-              ? fmt::format("no free block has material {}", material)
-              : fmt::format("no block of material {} is large enough to split: amin is "
-                            "{:g}, the largest area {:g}",
-                            material, min, largest),
-          "only free blocks with an area of at least two times amin split");
-    else if (blocks.size() >= model_.settings.max_blocks)
-      diagnostics_.warning(where, "CRACK",
-                           fmt::format("START allows {}, so none can split",
-                                       counted(model_.settings.max_blocks, "block")),
-                           "raise nblokm of START by the number of pieces you expect");
+      card.warning(given.where,
+                   largest == 0.0
+                       ? fmt::format("no free block has material {}", material)
+                       : fmt::format("no block of material {} is large enough to "
+                                     "split: amin is {:g}, the largest area {:g}",
+                                     material, min, largest),
+                   "only free blocks with an area of at least two times amin split");
+    else if (blocks.size() >= context.settings.max_blocks)
+      card.warning(given.where,
+                   fmt::format("START allows {}, so none can split",
+                               counted(context.settings.max_blocks, "block")),
+                   "raise nblokm of START by the number of pieces you expect");
   }
 }
 

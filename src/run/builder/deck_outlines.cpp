@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <variant>
 
+#include "deck/points.hpp"
+
 namespace blocks::run {
 namespace {
 
@@ -19,24 +21,19 @@ geometry::DeckOutline outline_of(const deck::Layer& card) {
 }
 
 geometry::DeckOutline outline_of(const deck::Cut& card) {
-  geometry::DeckOutline outline;
-  for (std::size_t i = 0; i < card.outline.x.size(); ++i)
-    outline.corners.push_back({card.outline.x[i].value, card.outline.y[i].value});
-  return outline;
+  return {deck::points_of(card.outline.x, card.outline.y), {}};
 }
 
+}  // namespace
+
 geometry::DeckOutline outline_of(const deck::Create& card) {
-  geometry::DeckOutline outline;
-  for (std::size_t i = 0; i < card.x.size(); ++i)
-    outline.corners.push_back({card.x[i].value, card.y[i].value});
+  geometry::DeckOutline outline{deck::points_of(card.x, card.y), {}};
   if (card.loop) {
     outline.shift = {card.loop->radd.value, card.loop->zadd.value};
     outline.copies = static_cast<int>(card.loop->nloop.value);
   }
   return outline;
 }
-
-}  // namespace
 
 std::vector<geometry::SharedCorners>
 shared_corners(const std::vector<deck::Command>& cards) {

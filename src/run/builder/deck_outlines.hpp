@@ -8,6 +8,9 @@
 
 namespace blocks::run {
 
+/// Returns the outline of a CREATE card with its copies.
+geometry::DeckOutline outline_of(const deck::Create& card);
+
 /// Returns the corners shared by the LAYER and CREATE cards of each section of the
 /// deck. A section ends at a MOTION, CYCLE or SOLVE card or at the end of the deck.
 /// Blocks of earlier sections have moved, so they share no corners.

@@ -1,15 +1,12 @@
-// The cards PRESSBC and FORCE, and what cards that name a side or a block to be moved
-// have in common.
+// GRAVITY, FUNCTION, PRESSBC and FORCE.
 #include <fmt/format.h>
 
-#include "dynamics/domain.hpp"
-#include "run/builder/builder.hpp"
+#include "run/builder/cards.hpp"
+#include "run/builder/checks.hpp"
+#include "run/builder/selectors.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::run {
-
-using deck::Command;
-
 namespace {
 
 /// [F/L^2] at the two corners of a side.
@@ -17,55 +14,46 @@ struct CornerPressures {
   double first, second;
 };
 
-}  // namespace
-
-bool Builder::has_function(const Command& command) {
-  if (model_.loads.function.empty() && !unread_.has("FUNCTION") &&
-      !unread_.has("RESTART"))
-    diagnostics_.error(
-        command.where, command.name,
+/// Returns whether there is a FUNCTION card. Reports an error if not.
+bool has_function(const Context& context) {
+  if (context.model.loads.function.empty() && !context.state.unread.has("FUNCTION") &&
+      !context.state.unread.has("RESTART"))
+    context.error(
         "no FUNCTION card was given, so the load has no time history",
         "add FUNCTION, ntimep among the preliminary cards, followed by ntimep "
         "lines t, p");
-  return !model_.loads.function.empty();
+  return !context.model.loads.function.empty();
 }
 
-int Builder::side(const Command& command, int b, const deck::Int& number) {
-  const int sides = model_.blocks.corners_of(b);
-  if (number.value >= 1 && number.value <= sides)
-    return static_cast<int>(number.value) - 1;
-  diagnostics_.error(
-      number.where, command.name, fmt::format("there is no side {}", number.value),
-      fmt::format("block {} has sides 1 to {}", missing_.number_of(b), sides));
-  return -1;
+}  // namespace
+
+void act(const Context& context, const deck::Gravity& card) {
+  Settings& settings = context.settings;
+  const double now = context.model.time;
+  settings.gravity_ramp = {settings.gravity_at(now), now, card.tramp.value};
+  settings.gravity = {card.gravx.value, card.gravy.value};
+  check_direction_of_water(context);
 }
 
-bool Builder::can_move(const Command& command, int b, deck::SourceLocation where) {
-  const Settings& settings = model_.settings;
-  if (model_.blocks.fixity[b] == Fixity::left_domain) {
-    diagnostics_.warning(where, command.name,
-                         fmt::format("block {} is outside the domain and stays there",
-                                     missing_.number_of(b)),
-                         "widen the domain: XLIMITS, YLIMITS");
-    return false;
-  }
-  const bool has_domain = (settings.lower.array() < settings.upper.array()).all();
-  if (!has_domain || dynamics::is_inside_domain(model_.blocks, b, settings))
-    return true;
-  diagnostics_.error(
-      where, command.name,
-      fmt::format("block {} has a corner outside the domain, where no block moves",
-                  missing_.number_of(b)),
-      "widen the domain: XLIMITS, YLIMITS");
-  return false;
+void act(const Context& context, const deck::Function& card) {
+  auto& function = context.model.loads.function;
+  for (const deck::Real& t : card.t)
+    function.t.push_back(t.value);
+  for (const deck::Real& p : card.p)
+    function.p.push_back(p.value);
+  for (std::size_t i = 1; i < card.t.size(); ++i)
+    if (card.t[i - 1].value == card.t[i].value)
+      context.state.notes.push_back(fmt::format(
+          "FUNCTION in line {}: a step from {:g} to {:g} at t = {:g}",
+          card.t[i].where.line, card.p[i - 1].value, card.p[i].value, card.t[i].value));
 }
 
-void Builder::press(const Command& command, const deck::PressBc& card) {
-  const SelectedSides named = sides_named(command, card.nblok, card.nside);
-  if (!has_function(command))
+void act(const Context& context, const deck::PressBc& card) {
+  const SelectedSides named = sides_named(context, card.nblok, card.nside);
+  if (!has_function(context))
     return;
   const double p1 = card.p1.value, p2 = card.p2.value;
-  const Blocks& blocks = model_.blocks;
+  const Blocks& blocks = context.blocks;
   for (const auto& [b, its] : named.sides) {
     CornerPressures at = {p1, p2};
     if (named.line) {
@@ -77,20 +65,21 @@ void Builder::press(const Command& command, const deck::PressBc& card) {
       };
       at = {on_line(c), on_line(blocks.next[c])};
     }
-    model_.loads.pressures.push_back({b, its, at.first, at.second, card.tarriv.value});
+    context.model.loads.pressures.push_back(
+        {b, its, at.first, at.second, card.tarriv.value});
   }
   if (named.sides.size() > 1 && !named.line && p1 != p2)
-    diagnostics_.warning(
-        card.p2.where, command.name,
+    context.warning(
+        card.p2.where,
         fmt::format("p1 and p2 differ, and {} have them at their own corners",
                     counted(named.sides.size(), "side")),
         "along edge(k) or on(x1, y1, x2, y2), the pressure is linear from p1 to p2");
 }
 
-void Builder::push(const Command& command, const deck::Force& card) {
-  const int b = block_named(command, card.nblok);
-  if (has_function(command) && b >= 0)
-    model_.loads.forces.push_back(
+void act(const Context& context, const deck::Force& card) {
+  const int b = block_named(context, card.nblok);
+  if (has_function(context) && b >= 0)
+    context.model.loads.forces.push_back(
         {b, {card.fx.value, card.fy.value}, card.tarriv.value});
 }
 

@@ -31,17 +31,4 @@ bool UnreadCards::may_define_joint(long id) const {
          });
 }
 
-long UnreadCards::max_blocks_above(int line) const {
-  long max = 0;
-  for (const UnreadCard& card : cards_)
-    if (card.where.line < line)
-      max = std::min(max + card.blocks, UnreadCard::any_number_of_blocks);
-  return max;
-}
-
-const UnreadCard* UnreadCards::above(int line, std::size_t index) const {
-  return index < cards_.size() && cards_[index].where.line < line ? &cards_[index]
-                                                                  : nullptr;
-}
-
 }  // namespace blocks::run

@@ -22,11 +22,6 @@ class UnreadCards {
   bool may_define(long material, const Settings& settings) const;
   /// Whether one of the cards may be a JOINT card with this id; 0: with any id.
   bool may_define_joint(long id) const;
-  /// The number of blocks that the cards above this line may have made at most.
-  long max_blocks_above(int line) const;
-  /// Returns the card with this index, in the order of the deck, if it is above the
-  /// line; otherwise null.
-  const deck::UnreadCard* above(int line, std::size_t index) const;
 
  private:
   std::vector<deck::UnreadCard> cards_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "deck/points.hpp"
 #include "geometry/cut.hpp"
 #include "geometry/polygon.hpp"
 #include "run/cutting/cut_joints.hpp"
@@ -60,8 +61,7 @@ class DomainCutter {
   geometry::CutRequest request(const geometry::SharedCorners& corners) {
     const deck::Outline& outline = card_.outline;
     geometry::CutRequest request;
-    for (std::size_t i = 0; i < outline.x.size(); ++i)
-      request.outline.push_back({outline.x[i].value, outline.y[i].value});
+    request.outline = deck::points_of(outline.x, outline.y);
     orient(request.outline);
     request.rounded.emplace();
     for (const geometry::DecimalPoint& corner : request.outline)

@@ -6,7 +6,6 @@
 
 #include "model/equilibrium.hpp"
 #include "model/local_ratio.hpp"
-#include "run/builder/history_card.hpp"
 
 namespace blocks::run {
 
@@ -37,7 +36,8 @@ void HistoryRecorder::begin(const Model& model) {
       curves.push_back(quantities::parse_curve(quantity));
       is_count_.push_back(is_count(curves.back()));
     }
-    values_of_ = quantities::CurveValues(curves, material_numbers(model.settings));
+    values_of_ =
+        quantities::CurveValues(curves, quantities::material_numbers(model.settings));
     for (std::vector<double>* values : {&before_, &now_, &sample_})
       values->resize(curves.size());
     if (values_of_.has_displacements())

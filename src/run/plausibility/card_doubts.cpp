@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/points.hpp"
 #include "dynamics/preparation/time_step.hpp"
 #include "geometry/overlap.hpp"
 #include "geometry/polygon.hpp"
@@ -19,10 +20,8 @@ namespace {
 /// that were removed before the card do not count; `chosen` are those of the card.
 std::vector<int> crossed_blocks(const Blocks& blocks, const deck::Selection& named,
                                 std::span<const int> chosen) {
-  std::vector<geometry::DecimalPoint> corners;
-  for (std::size_t i = 0; i < named.x.size(); ++i)
-    corners.push_back({named.x[i].value, named.y[i].value});
-  geometry::Polygon outline = geometry::place_outline(corners, {}, 0);
+  geometry::Polygon outline =
+      geometry::place_outline(deck::points_of(named.x, named.y), {}, 0);
   const geometry::OutlineCheck check = geometry::check_outline(outline);
   if (check.fault != geometry::OutlineFault::none)
     return {};
