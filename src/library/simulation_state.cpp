@@ -127,7 +127,7 @@ void Simulation::State::take(Model&& other) {
 void Simulation::State::prepare(Model& on) {
   dynamics::prepare(on);
   stepper.changed();
-  for (std::string& warning : watch_.after(on, {}))
+  for (std::string& warning : watch_.check_step(on, {}))
     warnings.push_back(std::move(warning));
 }
 
@@ -219,14 +219,15 @@ void Simulation::State::end_cards(const run::Builder& builder,
     overlaps = certificate->overlaps;
   keep_warnings(diagnostics);
 }
-void Simulation::State::advance(bool reads) {
+
+void Simulation::State::make_step(bool reads) {
   contacts_known = reads;
   const dynamics::StepResult moved =
       stepper.advance(reads, model.settings.normal_stiffness * half_depth_);
-  for (std::string& warning : watch_.after(model, moved))
+  for (std::string& warning : watch_.check_step(model, moved))
     warnings.push_back(std::move(warning));
-  if (watch_.is_look_due(model))
-    for (std::string& warning : watch_.look(stepper.up_to_date()))
+  if (watch_.is_state_check_due(model))
+    for (std::string& warning : watch_.check_state(stepper.up_to_date()))
       warnings.push_back(std::move(warning));
   if (run::may_be_unsound(model.settings, moved, half_depth_)) {
     unsound = run::unsound(stepper.up_to_date(), moved, half_depth_);
@@ -236,7 +237,7 @@ void Simulation::State::advance(bool reads) {
   if (dynamics::may_crack(model.settings)) {
     if (stepper.crack() > 0)
       half_depth_ = run::half_depth(model.blocks);
-    for (std::string& warning : crack_watch_.after(model).warnings)
+    for (std::string& warning : crack_watch_.take_news(model).warnings)
       warnings.push_back(std::move(warning));
   }
   if (hooks.after_step)
@@ -245,7 +246,7 @@ void Simulation::State::advance(bool reads) {
 
 void Simulation::State::step(long count, bool reads) {
   for (long i = 1; i <= count; ++i)
-    advance(reads && i == count);
+    make_step(reads && i == count);
 }
 
 void Simulation::State::solve(const deck::Solve& card, int line) {
@@ -256,7 +257,7 @@ void Simulation::State::solve(const deck::Solve& card, int line) {
   }
   while (!convergence.is_finished()) {
     const bool tested = convergence.is_due();
-    advance(tested);
+    make_step(tested);
     convergence.after_step(tested ? stepper.up_to_date() : model);
   }
   model.solves.push_back(convergence.record(model, line));

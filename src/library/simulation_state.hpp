@@ -85,7 +85,7 @@ struct Simulation::State {
   double half_depth_ = 0.0;  ///< [L] half the least depth of a convex block
   void prepare(Model& on);
   /// Makes one step. Throws UnsoundRun if it was unsound.
-  void advance(bool reads);
+  void make_step(bool reads);
   void keep_warnings(const deck::Diagnostics& diagnostics);
   /// What the cards before the first motion have made.
   struct Beginning {

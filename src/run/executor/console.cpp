@@ -73,7 +73,7 @@ void Console::note(const std::string& message) {
   say(stderr, "{}\n", message);
 }
 
-bool Console::progress_due() const {
+bool Console::is_progress_due() const {
   constexpr Clock::duration between_drawings = std::chrono::milliseconds(100);
   return !quiet_ &&
          Clock::now() - drawn_ >= (terminal_ ? between_drawings : between_log_lines_);

@@ -32,7 +32,7 @@ class Console {
   }
   void note(const std::string& message);  ///< suppressed by `quiet`
   /// Whether the progress line is due. A terminal gets it at most ten times a second.
-  bool progress_due() const;
+  bool is_progress_due() const;
   /// Draws the progress line, which fits the present width of the terminal. `share` is
   /// the completed share of the whole run, 0 to 1. `balance` has the ratios during
   /// SOLVE.

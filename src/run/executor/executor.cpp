@@ -78,8 +78,8 @@ output::Progress Executor::progress() const {
 }
 
 Outcome Executor::motion(double interval) {
-  start();
-  return advance(left_of(steps_for(interval, model_.time_step.dt)));
+  begin_card();
+  return make_steps(steps_left(steps_for(interval, model_.time_step.dt)));
 }
 
 long Executor::steps_to_end() const {
@@ -90,18 +90,18 @@ long Executor::steps_to_end() const {
 }
 
 Outcome Executor::cycle(long steps) {
-  start();
-  return advance(left_of(steps));
+  begin_card();
+  return make_steps(steps_left(steps));
 }
 
 Outcome Executor::solve(const deck::Solve& card, int line) {
-  start();
+  begin_card();
   if (!begun_ && dynamics::may_scale_masses(model_))
     scale_masses();
-  const long left = left_of(card.nmax.value);
+  const long left = steps_left(card.nmax.value);
   solving_.emplace(card, card.nmax.value - left, begun_ && progress_.below_ratio);
   solve_line_ = line;
-  const Outcome outcome = advance(left);
+  const Outcome outcome = make_steps(left);
   solving_.reset();
   return outcome;
 }
@@ -149,28 +149,28 @@ double Executor::share_after(long made, long last) const {
   return share_from_ + (share_to_ - share_from_) * of_card;
 }
 
-void Executor::echo() {
+void Executor::echo_input() {
   if (!echoed_)
     files_.input_echo(model_);
   echoed_ = true;
 }
 
 void Executor::finish() {
-  echo();
+  echo_input();
   if (!model_.settings.joint_laws.empty())
     console_.note(bonds_line(model_));
   if (dynamics::may_crack(model_.settings))
     console_.note(cracks_line(model_));
   if (audit_.totals().every > 0)
-    console_.note(audit_.closing());
+    console_.note(audit_.summary());
 }
 
 void Executor::dump() {
-  echo();
+  echo_input();
   files_.dump(model_);
 }
 
-void Executor::start() {
+void Executor::begin_card() {
   if (begun_) {  // resumed between two steps
     console_.row(model_);
     return;
@@ -180,7 +180,7 @@ void Executor::start() {
   dynamics::prepare(model_);
   if (!started_moving_) {
     crack_watch_ = CrackWatch(model_);
-    echo();
+    echo_input();
     console_.note(fmt::format(
         "dt {:.6g} set by block {} ({}), {}, seed {}", model_.time_step.dt,
         model_.time_step.block + 1, limit_in_words(model_.time_step, model_.settings),
@@ -198,77 +198,44 @@ void Executor::start() {
         "blocks are renumbered internally for memory locality; output is unaffected");
   started_moving_ = true;
   half_depth_ = half_depth(model_.blocks);
-  watch({});
+  warn_of_motion({});
   console_.row(model_);
 }
 
-Outcome Executor::advance(long steps) {
+Outcome Executor::make_steps(long steps) {
   stepper_.changed();
   recorder_.begin(model_);
-  const Outcome outcome = march(steps);
+  const Outcome outcome = make_each_step(steps);
   stepper_.complete();
   if (progress_.steps_left == 0)
     model_.kept = {};  // the next motion decides all pairs again
   return outcome;
 }
 
-Outcome Executor::march(long steps) {
+Outcome Executor::make_each_step(long steps) {
   const long last = std::min(steps, steps_to_end());
-  const long rows = 10, row_every = std::max(1L, (last + rows - 1) / rows);
   progress_.steps_left = steps;
   changed_ = changed_ && last == 0;
-  if (good_state_due(0.0))
+  if (is_good_state_due(0.0))
     keep_good_state();
   else if (!keeps_good_states() && (good_ || !saved_once_))
     save_checkpoint();
   for (long i = 1; i <= last; ++i) {
-    const bool audited = audit_.due(model_);
-    const bool row = i % row_every == 0 || i == last;
-    const bool by_clock =
-        i % 64 == 0 && (console_.progress_due() || time_is_up() || checkpoint_due() ||
-                        good_state_due(between_good_states));
-    const bool moment =
-        by_clock || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
-    if (audited)
-      audit_.before(stepper_.up_to_date());
-    const bool sampled = sample_due();
-    const bool tested = solving_ && solving_->is_due();
-    const bool read = audited || row || moment || sampled || tested || output_due();
-    const double limit = model_.settings.normal_stiffness * half_depth_;
-    const dynamics::StepResult moved = stepper_.advance(read, limit);
-    if (may_be_unsound(model_.settings, moved, half_depth_)) {
-      if (const std::string fault = unsound(stepper_.up_to_date(), moved, half_depth_);
-          !fault.empty()) {
-        warn(fault);
-        return Outcome::unsound;
-      }
-    }
-    if (audited && !passes_audit())
+    const StepPlan plan = plan_step(i, last);
+    if (!make_step(plan))
       return Outcome::unsound;
-    watch(moved);
-    if (dynamics::may_crack(model_.settings))
-      crack();
-    if (sampled)
-      recorder_.record(stepper_.up_to_date());
-    if (read)
-      output_if_due();
-    if (solving_) {
-      const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
-      solving_->after_step(tested ? stepper_.up_to_date() : model_);
-      progress_.below_ratio = solving_->is_below();
-    }
     const bool ends = ends_card(steps - i);
-    if (row || ends || (tested && solving_->has_new_decade()))
+    if (plan.row || ends || (plan.tested && solving_->has_new_decade()))
       console_.row(stepper_.up_to_date());
     ++steps_made_;
     progress_.steps_left = steps - i;
     if (ends)
       end_card();
-    if (moment || (read && interrupt_requested())) {
-      if (console_.progress_due())
+    if (plan.pause || (plan.read && interrupt_requested())) {
+      if (console_.is_progress_due())
         console_.progress(stepper_.up_to_date(), share_after(i, last),
                           solving_ ? solving_->balance() : Balance{});
-      if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
+      if (const Outcome outcome = stop_if_due(); outcome != Outcome::finished) {
         tell_what_remains();
         return outcome;
       }
@@ -280,6 +247,52 @@ Outcome Executor::march(long steps) {
     return Outcome::finished;
   tell_what_remains();
   return Outcome::end_time;
+}
+
+Executor::StepPlan Executor::plan_step(long i, long last) const {
+  const long rows = 10, row_every = std::max(1L, (last + rows - 1) / rows);
+  StepPlan plan;
+  plan.audited = audit_.is_due(model_);
+  plan.row = i % row_every == 0 || i == last;
+  const bool by_clock =
+      i % 64 == 0 && (console_.is_progress_due() || time_is_up() ||
+                      is_checkpoint_due() || is_good_state_due(between_good_states));
+  plan.pause =
+      by_clock || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
+  plan.sampled = is_sample_due();
+  plan.tested = solving_ && solving_->is_due();
+  plan.read = plan.audited || plan.row || plan.pause || plan.sampled || plan.tested ||
+              is_output_due();
+  return plan;
+}
+
+bool Executor::make_step(const StepPlan& plan) {
+  if (plan.audited)
+    audit_.keep_start(stepper_.up_to_date());
+  const double limit = model_.settings.normal_stiffness * half_depth_;
+  const dynamics::StepResult moved = stepper_.advance(plan.read, limit);
+  if (may_be_unsound(model_.settings, moved, half_depth_)) {
+    if (const std::string fault = unsound(stepper_.up_to_date(), moved, half_depth_);
+        !fault.empty()) {
+      warn(fault);
+      return false;
+    }
+  }
+  if (plan.audited && !passes_audit())
+    return false;
+  warn_of_motion(moved);
+  if (dynamics::may_crack(model_.settings))
+    split_blocks();
+  if (plan.sampled)
+    recorder_.record(stepper_.up_to_date());
+  if (plan.read)
+    write_due_output();
+  if (solving_) {
+    const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
+    solving_->after_step(plan.tested ? stepper_.up_to_date() : model_);
+    progress_.below_ratio = solving_->is_below();
+  }
+  return true;
 }
 
 namespace {
@@ -303,20 +316,20 @@ void wind(OutputClock& clock, double time, double dt) {
 
 }  // namespace
 
-bool Executor::output_due() const {
+bool Executor::is_output_due() const {
   const double then = dynamics::time_after_step(model_), dt = model_.time_step.dt;
   return is_due(model_.plots, then, dt) || is_due(model_.output, then, dt) ||
          is_nearest(model_.plot_times, then, dt) ||
          model_.plot_steps.is_due(model_.steps + 1);
 }
 
-bool Executor::sample_due() const {
+bool Executor::is_sample_due() const {
   constexpr double rounding = 1e-6;  // of a step, for the sum of times
   return recorder_.is_due(dynamics::time_after_step(model_) +
                           (1.0 + rounding) * model_.time_step.dt);
 }
 
-void Executor::output_if_due() {
+void Executor::write_due_output() {
   const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
   const auto due = [&](OutputClock& clock) {
     const bool is = is_due(clock, model_.time, model_.time_step.dt);
@@ -332,18 +345,18 @@ void Executor::output_if_due() {
     files_.table(stepper_.up_to_date());
 }
 
-void Executor::watch(const dynamics::StepResult& moved) {
-  for (const std::string& message : watch_.after(model_, moved))
+void Executor::warn_of_motion(const dynamics::StepResult& moved) {
+  for (const std::string& message : watch_.check_step(model_, moved))
     warn(message);
-  if (watch_.is_look_due(model_))
-    for (const std::string& message : watch_.look(stepper_.up_to_date()))
+  if (watch_.is_state_check_due(model_))
+    for (const std::string& message : watch_.check_state(stepper_.up_to_date()))
       warn(message);
 }
 
-void Executor::crack() {
+void Executor::split_blocks() {
   if (stepper_.crack() > 0)
     half_depth_ = half_depth(model_.blocks);
-  const CrackNews news = crack_watch_.after(model_);
+  const CrackNews news = crack_watch_.take_news(model_);
   for (const std::string& line : news.cracks)
     files_.message(line);
   for (const std::string& line : news.warnings)
@@ -354,7 +367,7 @@ void Executor::crack() {
 /// or the list misses a pair.
 bool Executor::passes_audit() {
   const AuditWatch::Verdict verdict =
-      audit_.after(stepper_.complete(), stepper_.listed_pairs());
+      audit_.audit_step(stepper_.complete(), stepper_.listed_pairs());
   for (const auto* lines : {&verdict.overlaps, &verdict.deep})
     for (const std::string& line : *lines)
       files_.message(line);

@@ -89,12 +89,24 @@ class Executor {
   const AuditWatch& audit() const { return audit_; }
 
  private:
-  void echo();
-  void start();
+  void echo_input();
+  void begin_card();
   bool passes_audit();
   void tell_what_remains() const;
-  Outcome advance(long steps);
-  Outcome march(long steps);
+  /// Makes the steps of a card, from a model that cards may have changed.
+  Outcome make_steps(long steps);
+  Outcome make_each_step(long steps);
+  /// What follows a step; all of it needs a step that is read.
+  struct StepPlan {
+    bool audited = false, row = false, sampled = false;
+    bool tested = false;  ///< for equilibrium
+    bool pause = false;   ///< the run may stop, save its state or show its progress
+    bool read = false;
+  };
+  /// Plans step `i` of the card, from 1 to `last`.
+  StepPlan plan_step(long i, long last) const;
+  /// Makes a step and what follows it. Returns false if it was unsound.
+  bool make_step(const StepPlan& plan);
   /// Whether the card ends with the last step, which has `left` steps after it.
   bool ends_card(long left) const;
   /// Begins mass scaling for a SOLVE card and tells about it.
@@ -103,31 +115,33 @@ class Executor {
   /// The completed share of the whole run after `made` of `last` steps of the card.
   double share_after(long made, long last) const;
   /// The remaining steps of a card that was begun before a restart; otherwise `all`.
-  long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
+  long steps_left(long all) const { return begun_ ? progress_.steps_left : all; }
   /// Whether output is due after the next step.
-  bool output_due() const;
+  bool is_output_due() const;
   /// Whether the histories need the state after the next step.
-  bool sample_due() const;
-  void output_if_due();
-  void watch(const dynamics::StepResult& moved);
+  bool is_sample_due() const;
+  void write_due_output();
+  /// Warns of what the step has done to blocks.
+  void warn_of_motion(const dynamics::StepResult& moved);
   /// Splits the blocks whose strength the step has reached, and tells about them.
-  void crack();
+  void split_blocks();
   void warn(const std::string& message);
-  Outcome pressed_for_time();
+  /// Keeps the states that are due. Returns why the run has to stop, or `finished`.
+  Outcome stop_if_due();
   void tell_trials_remain() const;
   /// The ending of the files of a trial: "stable" or "failing", with the number of the
   /// FOS card if it is not the first one.
   std::string name_of_state(TrialOutcome outcome) const;
   /// Writes the files of the state of a trial that bounds the factor of safety now.
-  void keep_trial(const Model& base, const TrialResult& made);
+  void write_trial(const Model& base, const TrialResult& made);
   bool keeps_good_states() const;
   void keep_good_state();
   void save_checkpoint();
   /// Whether the last good state is at least `seconds` old and keeping another one
   /// takes at most a fiftieth of the time.
-  bool good_state_due(double seconds) const;
+  bool is_good_state_due(double seconds) const;
   bool time_is_up() const;
-  bool checkpoint_due() const;
+  bool is_checkpoint_due() const;
 
   using Clock = std::chrono::steady_clock;
   Model& model_;

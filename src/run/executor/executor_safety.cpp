@@ -10,7 +10,7 @@
 namespace blocks::run {
 
 Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
-  start();
+  begin_card();
   const int threads = work_.workers->threads();
   const GiveUp give_up = [this] { return interrupt_requested() || time_is_up(); };
   if (!begun_) {
@@ -28,7 +28,7 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
   SafetyFactor& record = model_.safety_factors.back();
   if (record.max_steps == 0 && !set_limits(record, base, card, threads, give_up)) {
     tell_trials_remain();
-    return pressed_for_time();
+    return stop_if_due();
   }
   SafetySearch search(base, record, card.as_solve(), threads,
                       options_.trials_at_once > 0 ? options_.trials_at_once : threads,
@@ -40,13 +40,13 @@ Outcome Executor::factor_of_safety(const deck::Fos& card, int line) {
       break;
     if (made->given_up) {
       tell_trials_remain();
-      return pressed_for_time();
+      return stop_if_due();
     }
     record_trial(model_, made->trial);
     const std::string message = trial_line(made->trial);
     files_.message(message);
     console_.note(message);
-    keep_trial(base, *made);
+    write_trial(base, *made);
     steps_made_ += made->trial.steps;
     save_checkpoint();
     if (options_.stop_after > 0 && steps_made_ >= options_.stop_after) {
@@ -76,7 +76,7 @@ std::string Executor::name_of_state(TrialOutcome outcome) const {
   return describe(outcome) + (cards > 1 ? std::to_string(cards) : "");
 }
 
-void Executor::keep_trial(const Model& base, const TrialResult& made) {
+void Executor::write_trial(const Model& base, const TrialResult& made) {
   const std::vector<SafetyTrial> trials = trials_of_last(model_);
   const SafetyBracket bracket = bracket_of(trials);
   const bool is_best = made.trial.outcome == TrialOutcome::stable

@@ -20,7 +20,7 @@ bool Executor::time_is_up() const {
   return options_.time_limit > 0.0 && seconds_since(started_) >= options_.time_limit;
 }
 
-bool Executor::checkpoint_due() const {
+bool Executor::is_checkpoint_due() const {
   return seconds_since(saved_) >= options_.checkpoint_every;
 }
 
@@ -32,7 +32,7 @@ bool Executor::keeps_good_states() const {
 }
 
 /// The factor 50 limits the cost of good states to a fiftieth of the time.
-bool Executor::good_state_due(double seconds) const {
+bool Executor::is_good_state_due(double seconds) const {
   return keeps_good_states() && (!good_ || seconds_since(good_->kept) >=
                                                std::max(seconds, 50.0 * good_->took));
 }
@@ -58,16 +58,16 @@ void Executor::save(const std::string& path) {
     warn(aside);
 }
 
-Outcome Executor::pressed_for_time() {
+Outcome Executor::stop_if_due() {
   if (interrupt_requested())
     return Outcome::interrupted;
   if (steps_made_ == options_.stop_after)
     return Outcome::step_limit;
   if (time_is_up())
     return Outcome::time_limit;
-  if (good_state_due(between_good_states))
+  if (is_good_state_due(between_good_states))
     keep_good_state();
-  if (checkpoint_due())
+  if (is_checkpoint_due())
     save_checkpoint();
   return Outcome::finished;
 }

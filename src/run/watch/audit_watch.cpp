@@ -17,17 +17,50 @@ namespace {
 /// further information.
 constexpr std::size_t max_faults = 10;
 
+AuditedOverlap overlap_of(const audit::ExcessOverlap& pair, long step, double time) {
+  return {pair.first, pair.second,    step,        time,
+          pair.depth, pair.explained, pair.pressed};
+}
+
+AuditedContact contact_of(const Blocks& blocks, const audit::DeepContact& deep,
+                          long step, double time) {
+  const int a = blocks.corner_block[deep.corner], b = blocks.corner_block[deep.edge];
+  return {a,
+          deep.corner - blocks.first_corner[a],
+          b,
+          deep.edge - blocks.first_corner[b],
+          step,
+          time,
+          deep.overlap,
+          deep.common,
+          deep.pressed};
+}
+
+/// Returns whether no audit before has recorded this pair of indices. Of several
+/// records of a pair, the worst is kept.
+template <class Record>
+bool is_new(std::pair<int, int> pair, const Record& here,
+            std::map<std::pair<int, int>, std::size_t>& known,
+            std::vector<Record>& records) {
+  const auto [at, fresh] = known.try_emplace(pair, records.size());
+  if (fresh)
+    records.push_back(here);
+  else if (Record& worst = records[at->second]; here.excess() > worst.excess())
+    worst = here;
+  return fresh;
+}
+
 }  // namespace
 
-void AuditWatch::before(const Model& model) {
+void AuditWatch::keep_start(const Model& model) {
   blocks_ = model.blocks;
   held_ = audit::held_contacts(model);
   // If the present list is not current, the step makes a new one first.
   left_ = model.search.current ? model.search.left : dynamics::list_tolerance(model);
 }
 
-AuditWatch::Verdict AuditWatch::after(const Model& model,
-                                      std::vector<audit::BlockPair> listed) {
+AuditWatch::Verdict AuditWatch::audit_step(const Model& model,
+                                           std::vector<audit::BlockPair> listed) {
   const double time = model.time - model.time_step.dt;  // of the decision
   const audit::Moment moment{blocks_,
                              model.contacts,
@@ -42,37 +75,36 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
                              model.loads.water,
                              time};
   const audit::Findings found = audit::audit(moment);
-  const long step = model.steps;
+  count(found);
+  keep_worst(found, model.steps, time);
+  Verdict verdict;
+  add_faults(found, moment.order, verdict);
+  for (const audit::ExcessOverlap& pair : found.excess)
+    if (is_new({pair.first, pair.second}, overlap_of(pair, model.steps, time),
+               reported_, totals_.excess))
+      verdict.overlaps.push_back(audit::tell(pair));
+  for (const audit::DeepContact& deep : found.deep)
+    if (is_new({deep.corner, deep.edge}, contact_of(blocks_, deep, model.steps, time),
+               reported_deep_, totals_.deep))
+      verdict.deep.push_back(audit::tell(blocks_, deep));
+  for (auto* texts : {&verdict.faults, &verdict.overlaps, &verdict.deep})
+    for (std::string& text : *texts)
+      text = fmt::format("at time {:g} (step {}) audit: {}", time, model.steps, text);
+  totals_.faults.insert(totals_.faults.end(), verdict.faults.begin(),
+                        verdict.faults.end());
+  return verdict;
+}
+
+void AuditWatch::count(const audit::Findings& found) {
   ++totals_.moments;
   totals_.pairs += found.pairs, totals_.acting += found.acting;
   totals_.missed += static_cast<long>(found.missed.size());
   totals_.wrong += static_cast<long>(found.wrong.size());
   totals_.wrong_at_planes += static_cast<long>(found.wrong_at_planes.size());
   totals_.late += found.late;
+}
 
-  Verdict verdict;
-  const auto report = [&](const std::string& text) {
-    if (verdict.faults.size() == max_faults)
-      return false;
-    verdict.faults.push_back(
-        fmt::format("at time {:g} (step {}) audit: {}", time, step, text));
-    return true;
-  };
-  const auto fault = [&](const std::string& text, int first, int second) {
-    if (!report(text))
-      return;
-    const audit::ExactPairRule rule =
-        audit::make_exact_rule(blocks_, 0.0, moment.order);
-    for (const std::string& line :
-         audit::story(rule, first, second, rule.decide(first, second)))
-      verdict.stories.push_back("  " + line);
-  };
-  for (const audit::BlockPair& missed : found.missed)
-    fault(audit::tell(missed), missed.first, missed.second);
-  for (const audit::WrongPair& wrong : found.wrong)
-    fault(audit::tell(blocks_, wrong), wrong.first, wrong.second);
-  for (const audit::PlaneFault& wrong : found.wrong_at_planes)
-    report(audit::tell(blocks_, wrong));
+void AuditWatch::keep_worst(const audit::Findings& found, long step, double time) {
   if (const audit::BehindPlane& now = found.behind; now.depth > totals_.behind.depth) {
     const int b = blocks_.corner_block[now.corner];
     totals_.behind = {now.plane,  b,    now.corner - blocks_.first_corner[b],
@@ -82,60 +114,37 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
   if (found.water.block >= 0 &&
       (!totals_.water.tested || found.water.share > totals_.water.share))
     totals_.water = {found.water.block, step, time, found.water.share, true};
-  totals_.faults.insert(totals_.faults.end(), verdict.faults.begin(),
-                        verdict.faults.end());
-
-  const auto record = [&](const audit::ExcessOverlap& pair) {
-    return AuditedOverlap{pair.first, pair.second,    step,        time,
-                          pair.depth, pair.explained, pair.pressed};
-  };
   if (found.worst.excess() > totals_.worst.excess())
-    totals_.worst = record(found.worst);
-  for (const auto& excess : found.excess) {
-    const AuditedOverlap here = record(excess);
-    const auto [at, fresh] =
-        reported_.try_emplace({excess.first, excess.second}, totals_.excess.size());
-    if (fresh) {
-      totals_.excess.push_back(here);
-      verdict.overlaps.push_back(fmt::format("at time {:g} (step {}) audit: {}", time,
-                                             step, audit::tell(excess)));
-    } else if (AuditedOverlap& worst = totals_.excess[at->second];
-               excess.excess() > worst.excess()) {
-      worst = here;
-    }
-  }
-  const auto record_contact = [&](const audit::DeepContact& deep) {
-    const int a = blocks_.corner_block[deep.corner],
-              b = blocks_.corner_block[deep.edge];
-    return AuditedContact{a,
-                          deep.corner - blocks_.first_corner[a],
-                          b,
-                          deep.edge - blocks_.first_corner[b],
-                          step,
-                          time,
-                          deep.overlap,
-                          deep.common,
-                          deep.pressed};
-  };
+    totals_.worst = overlap_of(found.worst, step, time);
   if (found.deepest.excess() > totals_.deepest.excess())
-    totals_.deepest = record_contact(found.deepest);
-  for (const auto& deep : found.deep) {
-    const AuditedContact here = record_contact(deep);
-    const auto [at, fresh] =
-        reported_deep_.try_emplace({deep.corner, deep.edge}, totals_.deep.size());
-    if (fresh) {
-      totals_.deep.push_back(here);
-      verdict.deep.push_back(fmt::format("at time {:g} (step {}) audit: {}", time, step,
-                                         audit::tell(blocks_, deep)));
-    } else if (AuditedContact& worst = totals_.deep[at->second];
-               here.excess() > worst.excess()) {
-      worst = here;
-    }
-  }
-  return verdict;
+    totals_.deepest = contact_of(blocks_, found.deepest, step, time);
 }
 
-std::string AuditWatch::closing() const {
+void AuditWatch::add_faults(const audit::Findings& found, const std::vector<int>& order,
+                            Verdict& verdict) const {
+  const auto add = [&](const std::string& text) {
+    if (verdict.faults.size() == max_faults)
+      return false;
+    verdict.faults.push_back(text);
+    return true;
+  };
+  const auto add_pair = [&](const std::string& text, int first, int second) {
+    if (!add(text))
+      return;
+    const audit::ExactPairRule rule = audit::make_exact_rule(blocks_, 0.0, order);
+    for (const std::string& line :
+         audit::story(rule, first, second, rule.decide(first, second)))
+      verdict.stories.push_back("  " + line);
+  };
+  for (const audit::BlockPair& missed : found.missed)
+    add_pair(audit::tell(missed), missed.first, missed.second);
+  for (const audit::WrongPair& wrong : found.wrong)
+    add_pair(audit::tell(blocks_, wrong), wrong.first, wrong.second);
+  for (const audit::PlaneFault& wrong : found.wrong_at_planes)
+    add(audit::tell(blocks_, wrong));
+}
+
+std::string AuditWatch::summary() const {
   return fmt::format(
       "audit every {}: {}, {} of blocks near each other, {}; pairs missed: {}; wrong "
       "decisions: {}; kept decisions that would differ now: {}; pairs of blocks that "

@@ -17,12 +17,12 @@ class AuditWatch {
   /// Audits every `every` steps; 0 means never.
   explicit AuditWatch(long every) { totals_.every = every; }
 
-  bool due(const Model& model) const {
+  bool is_due(const Model& model) const {
     return totals_.every > 0 && model.steps % totals_.every == 0;
   }
   /// Keeps a copy of the blocks and of what the laws of joints hold, from which the
   /// next step decides its contacts. The list of contacts must be up to date.
-  void before(const Model& model);
+  void keep_start(const Model& model);
 
   struct Verdict {
     std::vector<std::string> faults;    ///< missed pairs and wrong decisions: unsound
@@ -31,14 +31,20 @@ class AuditWatch {
     std::vector<std::string> deep;      ///< contacts too deep, not reported before
   };
   /// Audits the step that was just made. `listed` holds the pairs that it used.
-  Verdict after(const Model& model, std::vector<std::pair<int, int>> listed);
+  Verdict audit_step(const Model& model, std::vector<std::pair<int, int>> listed);
 
   const AuditTotals& totals() const { return totals_; }
   /// A summary in one line: "audit every 100 steps: 12 moments, ... wrong decisions: 0;
   /// ...".
-  std::string closing() const;
+  std::string summary() const;
 
  private:
+  void count(const audit::Findings& found);
+  void keep_worst(const audit::Findings& found, long step, double time);
+  /// Adds wrong decisions and missed pairs. `order`: that of the model.
+  void add_faults(const audit::Findings& found, const std::vector<int>& order,
+                  Verdict& verdict) const;
+
   Blocks blocks_;
   std::vector<audit::HeldContact> held_;
   double left_ = 0.0;  ///< [L] distance corners may move before the next search

@@ -25,9 +25,10 @@ const char* advice(CrackRefusal why) {
   return "";
 }
 
-}  // namespace
-
-std::string crack_line(const CrackRecord& crack) {
+/// Returns three lines on one crack, of at most 132 columns: "at time 0.00057 (step 60)
+/// block 4 split into 4 and 9 (stress 1e+06)", the cut with its areas, and the
+/// energies.
+std::string crack_lines(const CrackRecord& crack) {
   return fmt::format(
       "at time {:g} (step {}) block {} split into {} and {} ({} {:g})\n"
       "  cut from ({:g}, {:g}) to ({:g}, {:g}), angle {:g} degrees; areas {:g} and "
@@ -41,10 +42,12 @@ std::string crack_line(const CrackRecord& crack) {
       crack.strain_after);
 }
 
-CrackNews CrackWatch::after(const Model& model) {
+}  // namespace
+
+CrackNews CrackWatch::take_news(const Model& model) {
   CrackNews news;
   for (; reported_cracks_ < model.cracks.size(); ++reported_cracks_)
-    news.cracks.push_back(crack_line(model.cracks[reported_cracks_]));
+    news.cracks.push_back(crack_lines(model.cracks[reported_cracks_]));
   if (model.crack_refusals.size() == reported_refusals_.size())
     return news;
   for (int i = 0; i < crack_refusals; ++i) {

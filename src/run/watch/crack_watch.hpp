@@ -24,17 +24,12 @@ class CrackWatch {
         reported_refusals_(model.crack_refusals) {}
 
   /// Returns the new cracks, and one warning for each new reason of a refusal.
-  CrackNews after(const Model& model);
+  CrackNews take_news(const Model& model);
 
  private:
   std::size_t reported_cracks_ = 0;
   std::vector<RefusedCrack> reported_refusals_;
 };
-
-/// Returns three lines on one crack, of at most 132 columns: "at time 0.00057 (step 60)
-/// block 4 split into 4 and 9 (stress 1e+06)", the cut with its areas, and the
-/// energies.
-std::string crack_line(const CrackRecord& crack);
 
 /// Returns the closing line: how many blocks have split, and how many have not, by
 /// reason.

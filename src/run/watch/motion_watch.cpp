@@ -61,8 +61,8 @@ std::string words(const Model& model, const Contact& deep) {
 
 }  // namespace
 
-std::vector<std::string> MotionWatch::after(const Model& model,
-                                            const dynamics::StepResult& moved) {
+std::vector<std::string> MotionWatch::check_step(const Model& model,
+                                                 const dynamics::StepResult& moved) {
   std::vector<std::string> warnings;
   const double tolerance = model.settings.contact_tolerance;
   if (moved.largest > tolerance && !reported_.fast) {
@@ -81,12 +81,12 @@ std::vector<std::string> MotionWatch::after(const Model& model,
   return warnings;
 }
 
-bool MotionWatch::is_look_due(const Model& model) const {
+bool MotionWatch::is_state_check_due(const Model& model) const {
   constexpr long steps_between = 256;  // a look costs about as much as a step
   return (!reported_.deep || has_flights(model)) && model.steps % steps_between == 0;
 }
 
-std::vector<std::string> MotionWatch::look(const Model& model) {
+std::vector<std::string> MotionWatch::check_state(const Model& model) {
   std::vector<std::string> found;
   if (has_flights(model))
     if (std::string flight = flight_of(model); !flight.empty()) {

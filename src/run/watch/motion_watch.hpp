@@ -27,15 +27,16 @@ class MotionWatch {
 
   /// Returns the new warnings after a step or, with moved = {}, after
   /// dynamics::prepare().
-  std::vector<std::string> after(const Model& model, const dynamics::StepResult& moved);
+  std::vector<std::string> check_step(const Model& model,
+                                      const dynamics::StepResult& moved);
 
-  /// Whether look() is to be called after the step that the model has made. This
+  /// Whether check_state() is to be called after the step that the model has made. This
   /// depends on the model alone, so that a resumed run gives the same warnings.
-  bool is_look_due(const Model& model) const;
+  bool is_state_check_due(const Model& model) const;
   /// Returns the warnings about the first block that touches nothing and has the speed
   /// of a fall by more than ctol, and about the deepest contact that no overlap
   /// explains (find_deep_contact). The model must have been read.
-  std::vector<std::string> look(const Model& model);
+  std::vector<std::string> check_state(const Model& model);
 
   const ReportedWarnings& reported() const { return reported_; }
 

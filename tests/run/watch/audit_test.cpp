@@ -83,7 +83,7 @@ class WatchedStep : public ::testing::Test {
     scene.run(0.4);
     dynamics::Workspace work;
     dynamics::Stepper stepper(scene.model, work);
-    watch.before(stepper.up_to_date());
+    watch.keep_start(stepper.up_to_date());
     stepper.advance(true);
     stepper.up_to_date();
     listed = stepper.listed_pairs();
@@ -94,13 +94,13 @@ class WatchedStep : public ::testing::Test {
 };
 
 TEST_F(WatchedStep, HasNoFaultIfItIsSound) {
-  const auto verdict = watch.after(scene.model, listed);
+  const auto verdict = watch.audit_step(scene.model, listed);
   EXPECT_TRUE(verdict.faults.empty());
   EXPECT_TRUE(verdict.stories.empty());
   EXPECT_EQ(watch.totals().pairs, 1);
   EXPECT_EQ(watch.totals().acting, 2);
   EXPECT_THAT(
-      watch.closing(),
+      watch.summary(),
       HasSubstr("audit every 1 step: 1 audit, 1 pair of blocks near each other, 2 "
                 "acting contacts; pairs missed: 0; wrong decisions: 0; "));
 }
@@ -108,7 +108,7 @@ TEST_F(WatchedStep, HasNoFaultIfItIsSound) {
 TEST_F(WatchedStep, ReportsMissedPairsAndWrongDecisions) {
   listed.clear();
   scene.model.contacts.erase(scene.model.contacts.begin());
-  const auto verdict = watch.after(scene.model, listed);
+  const auto verdict = watch.audit_step(scene.model, listed);
   ASSERT_EQ(verdict.faults.size(), 2U);
   EXPECT_THAT(verdict.faults[0],
               HasSubstr("audit: the list of near pairs misses blocks 1 and 2"));

@@ -57,16 +57,16 @@ TEST(DeepContact, IsNotOneThatALawHolds) {
 TEST(DeepContact, IsReportedOnceWithTheCommandThatExplainsIt) {
   Model model = phantom(0.01);
   MotionWatch watch(model);
-  EXPECT_TRUE(watch.is_look_due(model));
-  EXPECT_EQ(watch.look(model),
+  EXPECT_TRUE(watch.is_state_check_due(model));
+  EXPECT_EQ(watch.check_state(model),
             std::vector<std::string>{
                 "corner 1 of block 2 is 0.99 below edge 4 of block 1 at time 0, more "
                 "than twice as deep as any overlap there explains: `blocks why FILE "
                 "--time 0 --block 1 --block 2` tells why it acts"});
   EXPECT_TRUE(watch.reported().deep);
-  EXPECT_TRUE(watch.look(model).empty());
-  EXPECT_FALSE(watch.is_look_due(model));
-  EXPECT_FALSE(MotionWatch(model, watch.reported()).is_look_due(model));
+  EXPECT_TRUE(watch.check_state(model).empty());
+  EXPECT_FALSE(watch.is_state_check_due(model));
+  EXPECT_FALSE(MotionWatch(model, watch.reported()).is_state_check_due(model));
 }
 
 }  // namespace
