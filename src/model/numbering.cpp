@@ -25,6 +25,16 @@ double way(const Blocks& blocks, const std::vector<int>& order) {
   return sum;
 }
 
+/// Returns the drives or servos of the new blocks, in their order.
+template <class Drive>
+std::vector<Drive> sorted(std::vector<Drive> all, const std::vector<int>& new_of) {
+  for (Drive& one : all)
+    one.block = new_of[one.block];
+  std::sort(all.begin(), all.end(),
+            [](const Drive& l, const Drive& r) { return l.block < r.block; });
+  return all;
+}
+
 }  // namespace
 
 std::vector<int> strip_order(const Blocks& blocks) {
@@ -114,19 +124,11 @@ Loads Numbering::renumbered(Loads loads) const {
 }
 
 std::vector<Drive> Numbering::renumbered(std::vector<Drive> drives) const {
-  for (Drive& drive : drives)
-    drive.block = blocks_.new_of[drive.block];
-  std::sort(drives.begin(), drives.end(),
-            [](const Drive& l, const Drive& r) { return l.block < r.block; });
-  return drives;
+  return sorted(std::move(drives), blocks_.new_of);
 }
 
 std::vector<Servo> Numbering::renumbered(std::vector<Servo> servos) const {
-  for (Servo& servo : servos)
-    servo.block = blocks_.new_of[servo.block];
-  std::sort(servos.begin(), servos.end(),
-            [](const Servo& l, const Servo& r) { return l.block < r.block; });
-  return servos;
+  return sorted(std::move(servos), blocks_.new_of);
 }
 
 void Numbering::renumber(const Blocks& from, Blocks& to) const {
