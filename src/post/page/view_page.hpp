@@ -7,8 +7,8 @@
 
 namespace blocks::post {
 
-/// The texts of page.html, page.css, and of the scripts that scripts.cmake lists, in
-/// src/post/page/view/.
+/// The texts of page.html, page.css, and of the scripts of src/post/page/view/, in the
+/// order of src/post/CMakeLists.txt.
 extern const char* const view_html;
 extern const char* const view_css;
 extern const char* const view_js;
