@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "dynamics/contacts/contact_list.hpp"
@@ -45,6 +46,7 @@ KeptDecisions kept_decisions(const Workspace& work) {
   KeptDecisions kept;
   const Decisions& decisions = work.decisions;
   const ContactArrays& arrays = work.contacts;
+  kept.pairs.reserve(work.index.pairs.size());
   for (int p = 0; p < work.index.size(); ++p) {
     const auto [low, high] = work.index.pairs[p];
     const std::size_t before = kept.contacts.size();
@@ -56,7 +58,8 @@ KeptDecisions kept_decisions(const Workspace& work) {
                                  arrays.batches.is(slot, &ContactTests::tested),
                                  arrays.batches.is(slot, &ContactTests::certain)});
     });
-    const auto& [poses, depths] = decisions.pairs[p].renewal;
+    const Renewal none, *const stored = decisions.pairs[p].renewal.get();
+    const auto& [poses, depths] = stored != nullptr ? *stored : none;
     kept.poses.insert(kept.poses.end(), poses.begin(), poses.end());
     kept.depths.insert(kept.depths.end(), depths.begin(), depths.end());
     Validity validity = decisions.pairs[p].validity;
@@ -99,8 +102,9 @@ void restore_decisions(Model& model, Workspace& work) {
     };
     decisions.pairs[p].validity = {limit(pair.validity.distance),
                                    limit(pair.validity.until), pair.validity.pose};
-    decisions.pairs[p].renewal = {{pose, pose + pair.poses},
-                                  {depth, depth + pair.depths}};
+    if (pair.poses > 0)
+      decisions.pairs[p].renewal = std::make_unique<Renewal>(
+          Renewal{{pose, pose + pair.poses}, {depth, depth + pair.depths}});
     pose += pair.poses, depth += pair.depths;
     const bool has_listed = k < listed.pair.size() && listed.pair[k] == p;
     if (pair.contacts > 0)

@@ -63,7 +63,7 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
     if (k == old.pairs.size() || !(old.pairs[k] == now.pairs[p]))
       continue;
     const bool needs_neighbours =
-        !old_pairs[k].renewal.empty() || old_pairs[k].validity.until < infinite;
+        old_pairs[k].is_exact() || old_pairs[k].validity.until < infinite;
     const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
     if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
@@ -75,7 +75,7 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
 void Decisions::keep_certain(const Blocks& blocks, const NearPair& pair, int p,
                              double validity, double growth) {
   const auto [low, high] = pair;
-  pairs[p].renewal.clear();
+  pairs[p].end_renewal();
   pairs[p].validity = {validity,
                        bounds.longest_path + growth,
                        {blocks.centroid.col(high) - blocks.centroid.col(low),
@@ -88,7 +88,9 @@ void Decisions::keep_exact(const Blocks& blocks, const BlockParts& parts,
                            const std::vector<KeptDepth>& depths, bool asked_of_third) {
   const auto [low, high] = index.pairs[p];
   pairs[p].validity = {};
-  Renewal& renewal = pairs[p].renewal;
+  if (pairs[p].renewal == nullptr)
+    pairs[p].renewal = std::make_unique<Renewal>();
+  Renewal& renewal = *pairs[p].renewal;
   renewal.depths = depths;
   renewal.poses.clear();
   const auto add = [&](int block) {
@@ -186,14 +188,14 @@ bool Decisions::holds(const Blocks& blocks, const BlockParts& parts,
                       const NearPair& pair, int p) {
   if (set_next_check(pair, p))
     return true;
-  const Renewal& renewal = pairs[p].renewal;
   const auto [low, high] = pair;
-  if (renewal.empty()) {
+  if (!pairs[p].is_exact()) {
     const Validity& validity = pairs[p].validity;
     const double left = validity.distance - motion_since(blocks, pair, validity.pose);
     postpone(pair, p, left, validity.until);
     return left > 0.0 && bounds.longest_path < validity.until;
   }
+  const Renewal& renewal = *pairs[p].renewal;
   const double to_limits = motion_to_limits(blocks, parts, renewal.depths);
   if (!(to_limits > 0.0))
     return false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "dynamics/decisions/motion_bounds.hpp"
@@ -35,12 +36,18 @@ struct Renewal {
 /// its poses have moved by less than Decisions::renewal_motion. All are in [L].
 struct PairDecision {
   Validity validity;  ///< of certain decisions; the default for all others
-  Renewal renewal;    ///< of decisions of the exact rule; empty for all others
+  /// Of decisions of the exact rule; null or empty for all others, which are the most.
+  std::unique_ptr<Renewal> renewal;
   double examined_at_pair_path = 0.0, examined_at_longest_path = 0.0;
 
+  bool is_exact() const { return renewal != nullptr && !renewal->empty(); }
+  void end_renewal() {
+    if (renewal != nullptr)
+      renewal->clear();
+  }
   /// The decision has to be made again.
   void expire() {
-    validity = {}, renewal.clear();
+    validity = {}, end_renewal();
     examined_at_pair_path = examined_at_longest_path = 0.0;
   }
 };
@@ -53,7 +60,7 @@ struct Decisions {
 
   /// Discards all decisions. count: the number of pairs.
   void reset(int count) {
-    pairs.assign(static_cast<std::size_t>(count), {});
+    pairs = std::vector<PairDecision>(static_cast<std::size_t>(count));
     next_check.assign(static_cast<std::size_t>(count), 0.0);
   }
   /// Keeps the decisions of the old list of pairs in the new one. Discards those that a
@@ -69,7 +76,7 @@ struct Decisions {
   /// Discards the decisions of the exact rule. All others certainly hold.
   void expire_exact() {
     for (std::size_t p = 0; p < pairs.size(); ++p)
-      if (!pairs[p].renewal.empty())
+      if (pairs[p].is_exact())
         expire(static_cast<int>(p));
   }
   /// Keeps the decision of pair p, made now, while the motion of the two blocks is less

@@ -32,7 +32,7 @@ Decisions made(const PairIndex& index, double until) {
   for (int p = 0; p < index.size(); ++p) {
     decisions.pairs.push_back(
         {.validity = {.distance = 1.0 + p, .until = until, .pose = {}},
-         .renewal = {},
+         .renewal = nullptr,
          .examined_at_pair_path = 0.5 + p,
          .examined_at_longest_path = infinite});
     decisions.next_check.push_back(0.25 + p);

@@ -139,7 +139,7 @@ TEST(ProgressLine, IsCutIfNothingElseHelps) {
 TEST(ProgressLog, HasPlainLines) {
   ::testing::internal::CaptureStderr();
   run::Console console(false, false, std::chrono::seconds(0));
-  const bool due = console.progress_due();
+  const bool due = console.is_progress_due();
   console.progress(Model(), 0.25);
   console.progress(Model(), 0.5);
   console.clear_progress();
@@ -154,7 +154,7 @@ TEST(ProgressLog, HasPlainLines) {
 TEST(ProgressLog, HasNoLineInAShortRun) {
   ::testing::internal::CaptureStderr();
   const run::Console console(false, false);
-  const bool due = console.progress_due();
+  const bool due = console.is_progress_due();
   ::testing::internal::GetCapturedStderr();
   EXPECT_FALSE(due);
 }
@@ -162,7 +162,7 @@ TEST(ProgressLog, HasNoLineInAShortRun) {
 TEST(ProgressLog, IsEmptyIfQuiet) {
   ::testing::internal::CaptureStderr();
   const run::Console console(false, true, std::chrono::seconds(0));
-  const bool due = console.progress_due();
+  const bool due = console.is_progress_due();
   ::testing::internal::GetCapturedStderr();
   EXPECT_FALSE(due);
 }
