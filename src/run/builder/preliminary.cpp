@@ -68,7 +68,7 @@ void act(const Context& context, const deck::YLimits& card) {
 void act(const Context& context, const deck::Boxes& card) {
   constexpr long max = 100'000'000;  // 400 MB of box pointers
   if (card.iboxes.value > max || card.jboxes.value > max / card.iboxes.value) {
-    context.error("too many boxes",
+    context.error(card.iboxes.where, "too many boxes",
                   fmt::format("iboxes times jboxes may be {} at most", max));
     return;
   }
