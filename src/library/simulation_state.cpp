@@ -145,8 +145,9 @@ void Simulation::State::load(Model& into, const deck::Command& command,
       output::read_checkpoint(run::checkpoint_named(folder, card.file.value, ""), from);
   dynamics::end_mass_scaling(into);  // of a SOLVE that was not finished
   overlaps = from.progress.overlaps;
-  watch_ = run::MotionWatch(into, {from.progress.fast_told, from.progress.flight_told,
-                                   from.progress.deep_told});
+  watch_ = run::MotionWatch(into,
+                            {from.progress.fast_reported, from.progress.flight_reported,
+                             from.progress.deep_reported});
   crack_watch_ = run::CrackWatch(into);
 }
 

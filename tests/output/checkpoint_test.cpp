@@ -120,9 +120,9 @@ const CheckpointInfo info = {
                  .listing_bytes = 4000,
                  .tabled_step = 250,
                  .half_depth = 0.25,
-                 .fast_told = true,
-                 .flight_told = true,
-                 .deep_told = true,
+                 .fast_reported = true,
+                 .flight_reported = true,
+                 .deep_reported = true,
                  .finished = true,
                  .warnings = "one\ntwo\n",
                  .overlaps = {{0, 1, 0.125, {0.25, 0.5}, 0.75}}}};
@@ -185,9 +185,9 @@ TEST(Checkpoint, KeepsModelAndRun) {
   EXPECT_EQ(read.progress.listing_bytes, info.progress.listing_bytes);
   EXPECT_EQ(read.progress.tabled_step, info.progress.tabled_step);
   EXPECT_EQ(read.progress.half_depth, info.progress.half_depth);
-  EXPECT_EQ(read.progress.fast_told, info.progress.fast_told);
-  EXPECT_EQ(read.progress.flight_told, info.progress.flight_told);
-  EXPECT_EQ(read.progress.deep_told, info.progress.deep_told);
+  EXPECT_EQ(read.progress.fast_reported, info.progress.fast_reported);
+  EXPECT_EQ(read.progress.flight_reported, info.progress.flight_reported);
+  EXPECT_EQ(read.progress.deep_reported, info.progress.deep_reported);
   EXPECT_EQ(read.progress.finished, info.progress.finished);
   EXPECT_EQ(read.progress.warnings, info.progress.warnings);
   ASSERT_EQ(read.progress.overlaps.size(), 1U);

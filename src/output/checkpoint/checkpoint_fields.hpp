@@ -22,8 +22,8 @@ void visit_checkpoint(M& model, Info& info, Archive& ar) {
   ar("run/version", version);
   {
     auto& [card, steps_left, below_ratio, frames, samples, bytes, tabled_step,
-           half_depth, fast_told, flight_told, deep_told, finished, warnings,
-           overlaps] = progress;
+           half_depth, fast_reported, flight_reported, deep_reported, finished,
+           warnings, overlaps] = progress;
     ar({"run/progress/card", count_from_0}, card);
     ar({"run/progress/steps_left", count_from_0}, steps_left);
     ar("run/progress/below_ratio", below_ratio);
@@ -34,9 +34,9 @@ void visit_checkpoint(M& model, Info& info, Archive& ar) {
     ar({"run/progress/tabled_step", {-1.0, 0x1p53, "a number from -1"}}, tabled_step);
     // It is infinite if no block is convex.
     ar({"run/progress/half_depth", {0.0, infinite, "a number from 0"}}, half_depth);
-    ar("run/progress/fast_told", fast_told);
-    ar("run/progress/flight_told", flight_told);
-    ar("run/progress/deep_told", deep_told);
+    ar("run/progress/fast_told", fast_reported);
+    ar("run/progress/flight_told", flight_reported);
+    ar("run/progress/deep_told", deep_reported);
     ar("run/progress/finished", finished);
     ar("run/progress/warnings", warnings);
     ar.records("run/progress/overlaps", overlaps, [](auto& column, auto& overlap) {

@@ -5,7 +5,7 @@
 
 #include "files/hdf5_handle.hpp"
 #include "model/model.hpp"
-#include "output/results/results_joint_states.hpp"
+#include "output/results/results_law_states.hpp"
 
 namespace blocks::output {
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "dynamics/preparation/time_step.hpp"
-#include "run/support/contact_room.hpp"
+#include "run/support/contact_memory.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::run {

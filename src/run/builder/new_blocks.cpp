@@ -8,7 +8,7 @@
 #include <ranges>
 
 #include "run/builder/names.hpp"
-#include "run/support/contact_room.hpp"
+#include "run/support/contact_memory.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::run {

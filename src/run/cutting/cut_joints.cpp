@@ -13,7 +13,7 @@
 #include "run/cutting/joint_files.hpp"
 #include "run/cutting/set_start.hpp"
 #include "run/cutting/snap_proposal.hpp"
-#include "run/support/contact_room.hpp"
+#include "run/support/contact_memory.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::run {

@@ -49,8 +49,8 @@ void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
   begun_ = progress.steps_left > 0;
   half_depth_ = progress.half_depth;
-  watch_ = MotionWatch(model_,
-                       {progress.fast_told, progress.flight_told, progress.deep_told});
+  watch_ = MotionWatch(model_, {progress.fast_reported, progress.flight_reported,
+                                progress.deep_reported});
   crack_watch_ = CrackWatch(model_);
   // SAVE may have written the checkpoint before the first motion.
   echoed_ = started_moving_ = model_.started || progress.finished;
@@ -68,9 +68,9 @@ void Executor::set_card(long index) {
 output::Progress Executor::progress() const {
   output::Progress now = progress_;
   now.half_depth = half_depth_;
-  now.fast_told = watch_.reported().fast;
-  now.flight_told = watch_.reported().flight;
-  now.deep_told = watch_.reported().deep;
+  now.fast_reported = watch_.reported().fast;
+  now.flight_reported = watch_.reported().flight;
+  now.deep_reported = watch_.reported().deep;
   now.warnings.clear();
   for (const std::string& warning : warnings_)
     now.warnings += warning + '\n';

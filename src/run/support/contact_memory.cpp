@@ -1,4 +1,4 @@
-#include "run/support/contact_room.hpp"
+#include "run/support/contact_memory.hpp"
 
 #include <unistd.h>
 

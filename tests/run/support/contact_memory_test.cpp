@@ -1,5 +1,5 @@
 // The estimated number of pairs in a contact list.
-#include "run/support/contact_room.hpp"
+#include "run/support/contact_memory.hpp"
 
 #include <gtest/gtest.h>
 

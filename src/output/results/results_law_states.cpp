@@ -1,4 +1,4 @@
-#include "output/results/results_joint_states.hpp"
+#include "output/results/results_law_states.hpp"
 
 #include <algorithm>
 #include <string>
