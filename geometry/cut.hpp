@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/cut_counts.hpp"
 #include "geometry/decimal.hpp"
 #include "geometry/step_progress.hpp"
 #include "geometry/tiling.hpp"
@@ -70,30 +71,9 @@ struct JointLength {
 };
 
 /// What each step of the cutting did.
-struct CutReport {
-  // The arrangement inside the outline, before anything is removed. Its edges include
-  // those of the outline.
-  std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
+struct CutReport : CutCounts {
   std::map<int, JointLength> lengths;  ///< of each joint id
-  double p21_before = 0.0;             ///< [1/L] drawn length per area of the outline
-  double p21_after = 0.0;             ///< [1/L] likewise after pruning, before cleaning
-  std::size_t pruned_edges = 0;       ///< number of removed edges
-  std::size_t islands = 0;            ///< components with cells, apart from the outline
-  std::size_t pinched_loops = 0;      ///< loops that meet the rest in one vertex only
-  std::size_t absorbed_faces = 0;     ///< faces of islands and of pinched loops
-  std::size_t straight_vertices = 0;  ///< vertices of degree two that were removed
-  // Cleaning.
-  std::size_t contractions = 0;  ///< edges shorter than emin, and edges of length 0
-  double largest_move = 0.0;     ///< [L] of a vertex by contraction
-  double repaired_below = 0.0;   ///< [L] used instead of emin, see cut_outline; or 0
-  std::size_t kept_short = 0;    ///< sides of blocks below emin that remain
-  std::size_t merges = 0;        ///< cells that were merged into a neighbour
-  std::size_t kept_small = 0;    ///< cells below amin that could not be merged
-  // The blocks.
-  std::size_t t_vertices = 0;        ///< vertices inside a straight side of one cell
-  std::size_t x_vertices = 0;        ///< other inner vertices of degree four or more
-  std::size_t moved_t_vertices = 0;  ///< T vertices that were moved off the side
-  std::size_t kept_t_vertices = 0;   ///< T vertices that remain corners of both sides
+  long pruned_edges = 0;               ///< number of removed edges
 };
 
 /// One block: a cell without the T vertices that are inside its straight sides.

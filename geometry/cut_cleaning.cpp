@@ -23,7 +23,7 @@ void clean(CutGraph& graph, const exact::Lines& lines, const CleaningLimits& lim
   // Edges whose contraction was not possible may be contracted after a merge. Each
   // round removes a vertex or a cell, so the loop ends.
   for (bool changed = true; changed;) {
-    const std::size_t merges = report.merges;
+    const long merges = report.merges;
     cleaner.contract_below(limits.emin);
     cleaner.merge_below(limits.amin);
     changed = cleaner.identify_coinciding_vertices() || report.merges > merges;

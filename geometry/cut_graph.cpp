@@ -156,27 +156,27 @@ void keep_separating_edges(CutGraph& graph, CutReport& report, StepProgress& pro
   search.search(start);
   const int kept = search.component(at(start) / 2);
   const int connected = search.components();
-  std::size_t parts = 1;
+  int parts = 1;
   std::vector<std::size_t> first_of_part;  // first component of each island
   std::vector<int> island_of;              // of each component after `connected`
   for (int v = 0; v < vertices; ++v) {
     progress.count(1, 1);
     if (graph.vertices[at(v)].half_edge >= 0 && !search.found(v)) {
       search.search(graph.vertices[at(v)].half_edge);
-      island_of.resize(at(search.components() - connected), static_cast<int>(parts));
+      island_of.resize(at(search.components() - connected), parts);
       ++parts;
     }
   }
   report.components = parts;
 
   std::vector<int> size(at(search.components()), 0);
-  std::size_t edges = 0;
+  long edges = 0;
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
     if (graph.edges[e].alive) {
       ++size[at(search.component(e))];
       ++edges;
     }
-  std::vector<bool> has_cells(parts, false);
+  std::vector<bool> has_cells(at(parts), false);
   for (int c = 0; c < search.components(); ++c) {
     if (size[at(c)] == 1 || c == kept)
       continue;
@@ -185,12 +185,10 @@ void keep_separating_edges(CutGraph& graph, CutReport& report, StepProgress& pro
     else
       has_cells[at(island_of[at(c - connected)])] = true;
   }
-  report.islands =
-      static_cast<std::size_t>(std::count(has_cells.begin(), has_cells.end(), true));
+  report.islands = std::count(has_cells.begin(), has_cells.end(), true);
   const auto left = [&] {
-    return static_cast<std::size_t>(
-        std::count_if(graph.vertices.begin(), graph.vertices.end(),
-                      [](const auto& v) { return v.half_edge >= 0; }));
+    return std::count_if(graph.vertices.begin(), graph.vertices.end(),
+                         [](const auto& v) { return v.half_edge >= 0; });
   };
   report.vertices = left();
   report.edges = edges;
@@ -202,7 +200,7 @@ void keep_separating_edges(CutGraph& graph, CutReport& report, StepProgress& pro
     ++report.pruned_edges;
     graph.remove_edge(e);
   }
-  const std::size_t remain = edges - report.pruned_edges;
+  const long remain = edges - report.pruned_edges;
   report.absorbed_faces = report.faces - (remain + 1 - left());
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/cut_counts.hpp"
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
 #include "model/cracks.hpp"
@@ -74,14 +75,7 @@ struct CutRecord {
   /// The counts of the tiling certificate.
   int cells = 0, interior_edges = 0, outline_edges = 0;
   double area = 0.0;  ///< [L^2] of the outline
-  // The steps of the work; geometry::CutReport explains the values.
-  long vertices = 0, edges = 0, faces = 0, components = 0;
-  double p21_before = 0.0, p21_after = 0.0;  ///< [1/L]
-  long islands = 0, pinched_loops = 0, absorbed_faces = 0, straight_vertices = 0;
-  long contractions = 0, kept_short = 0, merges = 0, kept_small = 0;
-  double largest_move = 0.0;    ///< [L] of a vertex by contraction
-  double repaired_below = 0.0;  ///< [L] edges contracted by the repair; 0: none needed
-  long t_vertices = 0, moved_t_vertices = 0, kept_t_vertices = 0, x_vertices = 0;
+  geometry::CutCounts counts;
 };
 
 /// Length of the joints with one id in the domain of one CUT card, [L].

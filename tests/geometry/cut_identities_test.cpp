@@ -104,13 +104,15 @@ TEST(CutIdentities, LinesInGeneralPositionMakeOneFacePerLineAndCrossing) {
       const CutResult result = cut_outline(cuts);
       const CutReport& report = result.report;
       EXPECT_EQ(result.mesh.cells.size(), 1 + known.lines + known.crossings);
-      EXPECT_EQ(report.faces, 1 + known.lines + known.crossings);
-      EXPECT_EQ(report.vertices, corners.size() + 2 * known.lines + known.crossings);
-      EXPECT_EQ(report.edges, corners.size() + 3 * known.lines + 2 * known.crossings);
-      EXPECT_EQ(report.components, 1U);
-      EXPECT_EQ(report.pruned_edges, 0U);
-      EXPECT_EQ(report.x_vertices, known.crossings);
-      EXPECT_EQ(report.t_vertices, 0U);
+      const long lines = static_cast<long>(known.lines),
+                 crossings = static_cast<long>(known.crossings);
+      EXPECT_EQ(report.faces, 1 + lines + crossings);
+      EXPECT_EQ(report.vertices, std::ssize(corners) + 2 * lines + crossings);
+      EXPECT_EQ(report.edges, std::ssize(corners) + 3 * lines + 2 * crossings);
+      EXPECT_EQ(report.components, 1);
+      EXPECT_EQ(report.pruned_edges, 0);
+      EXPECT_EQ(report.x_vertices, crossings);
+      EXPECT_EQ(report.t_vertices, 0);
       if (seed < 12)
         expect_tiling(result);
     }
@@ -136,7 +138,7 @@ TEST(CutIdentities, VoronoiCellsHaveTheNumberOfVerticesOfEulersFormula) {
       const std::size_t inner =
           result.mesh.vertices.size() - result.mesh.outline.size();
       EXPECT_EQ(inner + nodes, 2 * (faces - 1));
-      EXPECT_EQ(result.report.x_vertices, 0U);
+      EXPECT_EQ(result.report.x_vertices, 0);
       // A concave outline may divide cells.
       if (all.outline.size() == 5 && outline[2] == '0')
         EXPECT_GE(faces, static_cast<std::size_t>(cells.count));
@@ -156,7 +158,7 @@ TEST(CutIdentities, TraceWithOneFreeEndIsPruned) {
     SCOPED_TRACE(trace);
     const CutResult result = cut_outline(request(ten, joints(trace, 4)));
     EXPECT_EQ(result.mesh.cells.size(), 1U);
-    EXPECT_EQ(result.report.faces, 1U);
+    EXPECT_EQ(result.report.faces, 1);
     EXPECT_EQ(result.report.lengths.at(4).drawn, 9.0);
     EXPECT_EQ(result.report.lengths.at(4).pruned, 9.0);
     EXPECT_EQ(result.report.p21_before, 0.09);
@@ -179,7 +181,7 @@ TEST(CutIdentities, ProlongedTraceHalvesTheSquare) {
     ASSERT_EQ(result.mesh.cells.size(), 2U);
     for (const auto& cell : result.mesh.cells)
       EXPECT_EQ(twice_area(testing::polygon(result.mesh, cell)), 100);
-    EXPECT_EQ(result.report.pruned_edges, 0U);
+    EXPECT_EQ(result.report.pruned_edges, 0);
     EXPECT_EQ(result.report.lengths.at(4).drawn, 10.0);
   }
 }

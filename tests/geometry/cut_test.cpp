@@ -55,8 +55,8 @@ TEST(CutOutline, WithoutJointsIsOneBlock) {
   const CutResult result = cut_outline(request(ten, {}));
   EXPECT_EQ(result.mesh.cells.size(), 1U);
   EXPECT_EQ(result.blocks[0].corners.size(), 4U);
-  EXPECT_EQ(result.report.faces, 1U);
-  EXPECT_EQ(result.report.components, 1U);
+  EXPECT_EQ(result.report.faces, 1);
+  EXPECT_EQ(result.report.components, 1);
 }
 
 TEST(CutOutline, IslandsAndLoopsAtOneVertexAreAbsorbed) {
@@ -67,11 +67,11 @@ TEST(CutOutline, IslandsAndLoopsAtOneVertexAreAbsorbed) {
                                       "0 5 2 6 2 6 2 4 2 4 0 5 "
                                       "10 5 9 5 9 5 8 6 8 6 8 4 8 4 9 5")));
   EXPECT_EQ(result.mesh.cells.size(), 1U);
-  EXPECT_EQ(result.report.faces, 4U);
-  EXPECT_EQ(result.report.components, 2U);
-  EXPECT_EQ(result.report.islands, 1U);
-  EXPECT_EQ(result.report.pinched_loops, 2U);
-  EXPECT_EQ(result.report.absorbed_faces, 3U);
+  EXPECT_EQ(result.report.faces, 4);
+  EXPECT_EQ(result.report.components, 2);
+  EXPECT_EQ(result.report.islands, 1);
+  EXPECT_EQ(result.report.pinched_loops, 2);
+  EXPECT_EQ(result.report.absorbed_faces, 3);
 }
 
 TEST(CutOutline, WhatIsOutsideIsDropped) {
@@ -130,8 +130,8 @@ TEST(CutOutline, TVertexIsNoCornerOfTheBlockWithTheStraightSide) {
   const CutResult result =
       cut_outline(request(ten, joints("0 3.3 10 6.1 5.1 0 5.1 9")));
   ASSERT_EQ(result.blocks.size(), 3U);
-  EXPECT_EQ(result.report.t_vertices, 1U);
-  EXPECT_EQ(result.report.kept_t_vertices, 0U);
+  EXPECT_EQ(result.report.t_vertices, 1);
+  EXPECT_EQ(result.report.kept_t_vertices, 0);
   for (const CutBlock& block : result.blocks)
     EXPECT_EQ(block.corners.size(), 4U);
   expect_tiling(result);
@@ -158,8 +158,8 @@ TEST(CutOutline, ShortEdgesAreContracted) {
   cuts.emin = 0.01;
   const CutResult result = cut_outline(cuts);
   EXPECT_EQ(result.mesh.cells.size(), 6U);
-  EXPECT_EQ(result.report.kept_short, 0U);
-  EXPECT_GE(result.report.contractions, 2U);
+  EXPECT_EQ(result.report.kept_short, 0);
+  EXPECT_GE(result.report.contractions, 2);
   EXPECT_GT(result.report.largest_move, 0.0);
   EXPECT_LT(result.report.largest_move, 0.01);
   expect_tiling(result);
@@ -198,7 +198,7 @@ TEST(CutOutline, ProtectedJointsStayWhereTheyAre) {
     cuts.protected_joints = {9};
     const CutResult result = cut_outline(cuts);
     EXPECT_NEAR(length_off(result), whole, 1e-12) << seed;
-    EXPECT_GT(result.report.contractions, 0U);
+    EXPECT_GT(result.report.contractions, 0);
     EXPECT_EQ(result.report.repaired_below, 0.0);
     expect_tiling(result);
   }
@@ -212,8 +212,8 @@ TEST(CutOutline, ShortEdgesOfProtectedJointsAreCounted) {
   cuts.protected_joints = {1};
   const CutResult result = cut_outline(cuts);
   EXPECT_EQ(result.mesh.cells.size(), 7U);
-  EXPECT_GT(result.report.kept_short, 0U);
-  EXPECT_EQ(result.report.contractions, 0U);
+  EXPECT_GT(result.report.kept_short, 0);
+  EXPECT_EQ(result.report.contractions, 0);
   expect_tiling(result);
 }
 
@@ -221,9 +221,9 @@ TEST(CutOutline, ShortEdgesOfProtectedJointsAreCounted) {
 TEST(CutOutline, ShortEdgesAreCountedAfterAllCleaning) {
   CutRequest cuts = request("0 0 0 0.05 10 0.05 10 0", joints("5 0 5 0.05"));
   cuts.emin = 0.06;
-  EXPECT_EQ(cut_outline(cuts).report.kept_short, 3U);
+  EXPECT_EQ(cut_outline(cuts).report.kept_short, 3);
   cuts.amin = 0.3;
-  EXPECT_EQ(cut_outline(cuts).report.kept_short, 2U);
+  EXPECT_EQ(cut_outline(cuts).report.kept_short, 2);
   for (unsigned seed = 0; seed < 20; ++seed) {
     cuts = request("0 0 0 10 0.1 10 10 10 10 0", random_joints(60, 2.5, seed));
     cuts.emin = 0.8;
@@ -240,7 +240,7 @@ TEST(CutOutline, ShortEdgesAreCountedAfterAllCleaning) {
         if ((place(v) - place(w)).norm() < 0.8)
           sides.insert(std::minmax({v, w}));
       }
-    EXPECT_EQ(result.report.kept_short, sides.size());
+    EXPECT_EQ(result.report.kept_short, std::ssize(sides));
   }
 }
 
@@ -251,8 +251,8 @@ TEST(CutOutline, SmallCellsAreMergedAlongTheLongestChain) {
   cuts.amin = 0.2;
   const CutResult result = cut_outline(cuts);
   EXPECT_EQ(result.mesh.cells.size(), 3U);
-  EXPECT_EQ(result.report.merges, 1U);
-  EXPECT_EQ(result.report.kept_small, 0U);
+  EXPECT_EQ(result.report.merges, 1);
+  EXPECT_EQ(result.report.kept_small, 0);
   // Vertices of the removed side are gone.
   EXPECT_EQ(result.mesh.vertices.size(), 8U);
   expect_tiling(result);
@@ -376,7 +376,7 @@ TEST(CutOutline, CellsOfNoAreaVanishAtTheOutline) {
       cut_outline(request("0 0 0 8 9 8 9 3", joints("-3 -1.000000000000000001 12 "
                                                     "4.000000000000000001 3 1 5 8")));
   EXPECT_EQ(result.mesh.cells.size(), 2U);
-  EXPECT_EQ(result.report.contractions, 1U);
+  EXPECT_EQ(result.report.contractions, 1);
   expect_tiling(result);
 }
 
@@ -392,7 +392,7 @@ TEST(CutOutline, CellsThatRoundingDestroysAreRepaired) {
               joints(text));
   const CutResult repaired = cut_outline(cuts);
   expect_tiling(repaired);
-  EXPECT_GT(repaired.report.contractions, 0U);
+  EXPECT_GT(repaired.report.contractions, 0);
   EXPECT_GT(repaired.report.repaired_below, 0.0);
   cuts.emin = 1e-6;
   cuts.amin = 1e-12;

@@ -205,7 +205,7 @@ TEST(EndedAt, IsExact) {
   // Only what leaves the outline between two beds could be pruned, and that ends at it.
   EXPECT_LT(result.report.lengths.at(2).pruned, 1e-12);
   EXPECT_GT(result.report.lengths.at(2).drawn, 20.0);
-  EXPECT_EQ(result.report.x_vertices, 0U);  // no cross joint crosses a bed
+  EXPECT_EQ(result.report.x_vertices, 0);  // no cross joint crosses a bed
 }
 
 TEST(Voronoi, PointsMayBeVeryCloseOrNearlyOnALine) {
@@ -238,7 +238,7 @@ TEST(Voronoi, PointsOnALineAndOnACircleAreCut) {
   cuts.joints = voronoi_cells(cells, points(ten)).edges;
   const CutResult lattice = cut_outline(cuts);
   EXPECT_EQ(lattice.mesh.cells.size(), 25U);
-  EXPECT_EQ(lattice.report.x_vertices, 16U);
+  EXPECT_EQ(lattice.report.x_vertices, 16);
   cells.points = {{5, 5}};
   EXPECT_TRUE(voronoi_cells(cells, points(ten)).edges.empty());
 }

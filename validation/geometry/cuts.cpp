@@ -284,7 +284,7 @@ int replay(const std::string& which) {
     try {
       const CutResult result = cut(request);
       const std::string fault = judge_cut(request, result);
-      std::printf("ours: %zu cells, %zu contractions, %zu merges; judge: %s\n",
+      std::printf("ours: %zu cells, %ld contractions, %ld merges; judge: %s\n",
                   result.mesh.cells.size(), result.report.contractions,
                   result.report.merges, fault.empty() ? "right" : fault.c_str());
     } catch (const CutError& error) {

@@ -71,10 +71,11 @@ void visit_block_records(E& exits, G& merges, L& layers, C& cuts, J& joint_lengt
   });
   ar.records({"cuts", not_negative}, cuts, [](auto& column, auto& cut) {
     auto& [number, first_block, block_count, cells, interior_edges, outline_edges, area,
-           vertices, edges, faces, components, p21_before, p21_after, islands,
+           counts] = cut;
+    auto& [vertices, edges, faces, components, p21_before, p21_after, islands,
            pinched_loops, absorbed_faces, straight_vertices, contractions, kept_short,
            merge_count, kept_small, largest_move, repaired_below, t_vertices,
-           moved_t_vertices, kept_t_vertices, x_vertices] = cut;
+           moved_t_vertices, kept_t_vertices, x_vertices] = counts;
     column("number", number);
     column("first_block", first_block);
     column("blocks", block_count);

@@ -43,22 +43,22 @@ void warn_of(const Context& context, const deck::Cut& card, const CutRecord& rec
   if (record.blocks == 1)
     context.warning(
         "the joints cut off no block",
-        record.merges > 0
+        record.counts.merges > 0
             ? "amin merges all cells into one: reduce it"
             : "only joints that connect two points of the outline, or of joints that "
               "do, separate blocks; see snap of TRACES");
-  if (record.kept_short > 0)
+  if (record.counts.kept_short > 0)
     context.warning(
         card.emin.where,
-        fmt::format("edges shorter than emin remain: {}", record.kept_short),
+        fmt::format("edges shorter than emin remain: {}", record.counts.kept_short),
         card.protect.empty()
             ? "contracting them would fold a block or change the outline"
             : "contracting them would fold a block, change the outline or move a "
               "corner of a protected joint");
-  if (record.kept_small > 0)
+  if (record.counts.kept_small > 0)
     context.warning(
         card.amin.where,
-        fmt::format("cells smaller than amin remain: {}", record.kept_small),
+        fmt::format("cells smaller than amin remain: {}", record.counts.kept_small),
         "they have no neighbour into which they can be merged");
 }
 

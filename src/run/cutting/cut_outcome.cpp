@@ -172,33 +172,13 @@ class DomainCutter {
       for (const int corner : block.corners)
         made.outline.push_back(result.mesh.vertices[static_cast<std::size_t>(corner)]);
     }
-    const auto count = [](std::size_t n) { return static_cast<long>(n); };
     CutRecord& record = outcome.record;
     record.blocks = static_cast<int>(outcome.blocks.size());
     record.cells = result.certificate.cells;
     record.interior_edges = result.certificate.interior_edges;
     record.outline_edges = result.certificate.outline_edges;
     record.area = area_;
-    record.vertices = count(report.vertices);
-    record.edges = count(report.edges);
-    record.faces = count(report.faces);
-    record.components = count(report.components);
-    record.p21_before = report.p21_before;
-    record.p21_after = report.p21_after;
-    record.islands = count(report.islands);
-    record.pinched_loops = count(report.pinched_loops);
-    record.absorbed_faces = count(report.absorbed_faces);
-    record.straight_vertices = count(report.straight_vertices);
-    record.contractions = count(report.contractions);
-    record.kept_short = count(report.kept_short);
-    record.merges = count(report.merges);
-    record.kept_small = count(report.kept_small);
-    record.largest_move = report.largest_move;
-    record.repaired_below = report.repaired_below;
-    record.t_vertices = count(report.t_vertices);
-    record.moved_t_vertices = count(report.moved_t_vertices);
-    record.kept_t_vertices = count(report.kept_t_vertices);
-    record.x_vertices = count(report.x_vertices);
+    record.counts = report;
     for (const auto& [joint, length] : report.lengths)
       outcome.lengths.push_back({0, joint, length.drawn, length.pruned});
     return outcome;

@@ -26,9 +26,11 @@ std::string outcome_of(const Model& model) {
     area += cut.area;
     cuts += fmt::format("cut {}: {} blocks, {} islands, {} loops, {} contracted, {} "
                         "short, {} merged, {} small, {} T, {} T kept, {} X\n",
-                        cut.number, cut.blocks, cut.islands, cut.pinched_loops,
-                        cut.contractions, cut.kept_short, cut.merges, cut.kept_small,
-                        cut.t_vertices, cut.kept_t_vertices, cut.x_vertices);
+                        cut.number, cut.blocks, cut.counts.islands,
+                        cut.counts.pinched_loops, cut.counts.contractions,
+                        cut.counts.kept_short, cut.counts.merges, cut.counts.kept_small,
+                        cut.counts.t_vertices, cut.counts.kept_t_vertices,
+                        cut.counts.x_vertices);
     for (const JointLengthRecord& joint : model.joint_lengths)
       if (joint.cut == cut.number)
         cuts += fmt::format("joint {}: length {:.12g}, pruned {:.12g}\n", joint.joint,
