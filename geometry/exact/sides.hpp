@@ -71,7 +71,6 @@ template <class Number> struct Part {
     return {max_of(from, other.from), min_of(to, other.to)};
   }
   bool is_empty() const { return CGAL::certainly(to <= from); }
-  bool may_be_empty() const { return CGAL::possibly(to <= from); }
 };
 
 inline const Vec2& start_of(Outline polygon, int side) {

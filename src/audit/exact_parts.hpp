@@ -1,10 +1,7 @@
 // The convex parts of blocks, to which the rule is applied.
 #pragma once
 
-#include <string>
 #include <vector>
-
-#include "model/blocks.hpp"
 
 namespace blocks::audit {
 
@@ -13,11 +10,5 @@ struct ConvexPart {
   int block = 0;
   std::vector<int> corners;
 };
-
-/// Returns a sentence that says why these parts do not tile the block, or an empty
-/// string if they do. The parts tile it if they are convex, have only corners of the
-/// block, do not overlap and leave no gap. Parts without area may be missing.
-std::string fault_of_parts(const Blocks& blocks, int block,
-                           const std::vector<ConvexPart>& parts);
 
 }  // namespace blocks::audit

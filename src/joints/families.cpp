@@ -253,14 +253,6 @@ Mixture joined(Mixture mixture, const std::vector<double>& degrees) {
 
 }  // namespace
 
-Mixture fit_mixture(const std::vector<double>& degrees, int k) {
-  Expectation all(degrees);
-  std::vector<Component> components;
-  while (static_cast<int>(components.size()) < k)
-    components = with_one_more(all, components);
-  return mixture_of(all, components);
-}
-
 Mixture find_families(const std::vector<double>& degrees, int max) {
   Expectation all(degrees);
   std::vector<Component> components;

@@ -32,11 +32,8 @@ inline constexpr int max_families = 6;
 /// has no preferred direction, as in the rose of a figure.
 inline constexpr double min_resultant = 0.4;
 
-/// Fits k components by expectation and maximisation, k >= 0. The result depends on
-/// nothing but the directions.
-Mixture fit_mixture(const std::vector<double>& degrees, int k);
-
-/// Fits 0 to `max` components and takes the fit with the smallest bic. Members of
+/// Fits 0 to `max` components by expectation and maximisation, and takes the fit with
+/// the smallest bic. The result depends on nothing but the directions. Members of
 /// components whose mean resultant is below min_resultant are scattered. Other
 /// components that describe one family are joined (merge_families).
 Mixture find_families(const std::vector<double>& degrees, int max = max_families);

@@ -8,6 +8,7 @@
 
 #include "audit/rule_cluster.hpp"
 #include "audit/story.hpp"
+#include "tests/audit/fault_of_parts.hpp"
 
 namespace blocks {
 namespace {

@@ -12,6 +12,7 @@
 #include "audit/rule_cluster.hpp"
 #include "audit/story.hpp"
 #include "audit/words.hpp"
+#include "tests/audit/fault_of_parts.hpp"
 
 namespace blocks {
 namespace {

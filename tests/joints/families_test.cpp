@@ -105,7 +105,7 @@ TEST(Families, EqualDirections) {
 // The concentration of one component by maximum likelihood: kappa is nearly
 // 1 / (2 deviation)^2 in radians.
 TEST(Families, Concentration) {
-  const Mixture m = fit_mixture(normal(40.0, 6.0, 4000, 3), 1);
+  const Mixture m = find_families(normal(40.0, 6.0, 4000, 3), 1);
   const double deviation = 2.0 * 6.0 * std::numbers::pi / 180.0;
   EXPECT_NEAR(m.families[0].kappa * deviation * deviation, 1.0, 0.08);
   EXPECT_NEAR(m.families[0].mean, 40.0, 0.5);

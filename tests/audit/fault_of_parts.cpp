@@ -1,5 +1,4 @@
-// Tests whether the convex parts of a block tile it. The cut itself is taken as given.
-#include "audit/exact_parts.hpp"
+#include "tests/audit/fault_of_parts.hpp"
 
 #include <algorithm>
 #include <map>
