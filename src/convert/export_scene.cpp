@@ -4,7 +4,7 @@
 #include "exchange/mesh_writer.hpp"
 #include "geometry/polygon.hpp"
 #include "post/read/crack_tracker.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "quantities/units.hpp"
 
 namespace blocks::convert {

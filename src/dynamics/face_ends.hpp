@@ -12,7 +12,8 @@ namespace blocks::dynamics {
 /// If one acts, it carries them; if both act, each carries half. A contact that begins
 /// to act takes the state of the law from the other one. A contact that an offset held
 /// passes on what it held even if the other corner does not overlap. Only contacts with
-/// stiffnesses of their own, or with offsets after INSITU, share. The spring of a
+/// stiffnesses of their own, or with offsets after INSITU, share, if both have the same
+/// law and their edges are within 18 degrees of antiparallel. The spring of a
 /// corner that slides goes on with it instead (spring_transfer.hpp). Call it when it is
 /// settled which contacts act, before the forces are computed. A second call changes
 /// nothing.

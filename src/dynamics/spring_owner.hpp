@@ -1,5 +1,6 @@
 // Records where the current springs of contacts are: in the list of the model
-// (Model::contacts), in the arrays of the step, or in both.
+// (Model::contacts), in the arrays of the step, or in both; after cracks, those of the
+// pieces are in the list and all others in the arrays.
 #pragma once
 
 namespace blocks::dynamics {

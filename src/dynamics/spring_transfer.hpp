@@ -1,5 +1,6 @@
 // Passes the springs of contacts that have ceased to act to other contacts of the same
-// corner or of the same two faces (docs/departures.md#hand-over-of-springs).
+// corner, or to nearly parallel edges of the same pair
+// (docs/departures.md#hand-over-of-springs).
 #pragma once
 
 #include <vector>

@@ -12,9 +12,9 @@
 
 namespace blocks::dynamics {
 
-/// If the model has no order, calls advance() and catch_up() on it. Otherwise a second
-/// model with the blocks in that order is stepped. Reading the first model between
-/// steps does not affect the second one.
+/// If the model has no order, steps it. Otherwise a second model with the blocks in
+/// that order is stepped. Reading the first model between steps does not affect the
+/// second one.
 class Stepper {
  public:
   Stepper(Model& model, Workspace& work) : model_(model), work_(work) {}
@@ -31,7 +31,8 @@ class Stepper {
   /// makes all decisions again that are kept although they may change.
   void take_velocities_and_loads();
   /// Calls dynamics::advance. If the model has an order, only its time, steps, search,
-  /// worst overlap and exits are updated. The rest is out of date until up_to_date().
+  /// worst overlap, exits, energy, drives and servos are updated. The rest is out of
+  /// date until up_to_date().
   StepResult advance(bool readings,
                      double alarm = std::numeric_limits<double>::infinity());
   /// Splits the blocks whose strength the last step has reached

@@ -23,8 +23,9 @@
 namespace blocks::dynamics {
 
 /// State that the steps of a run keep in addition to the model. It may be discarded
-/// after catch_up() if its decisions are copied (kept_decisions()): this changes run
-/// time, never results. Without the copy, the next step decides all pairs again.
+/// after catch_up(). Results then have the same bits if its decisions are copied
+/// (kept_decisions()). Without the copy, the next step decides all pairs again, and
+/// results may differ by the tolerances within which decisions are kept.
 struct Workspace {
   explicit Workspace(int threads = 1)
       : workers(std::make_unique<Workers>(threads)),

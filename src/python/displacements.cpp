@@ -8,7 +8,7 @@
 #include "bindings.hpp"
 #include "post/read/crack_tracker.hpp"
 #include "post/read/face_motion.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "post/read/results_reader.hpp"
 
 namespace blocks::python {

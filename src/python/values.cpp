@@ -9,7 +9,7 @@
 
 #include "bindings.hpp"
 #include "geometry/polygon.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "post/read/units.hpp"
 #include "quantities/model_quantity.hpp"
 #include "quantities/quantity.hpp"

@@ -9,7 +9,7 @@
 
 #include "post/chart/history.hpp"
 #include "post/read/crack_tracker.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "post/read/units.hpp"
 #include "report/statistics.hpp"
 

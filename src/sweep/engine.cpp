@@ -17,6 +17,7 @@
 #include "sweep/local_engine.hpp"
 #include "sweep/parallel_engine.hpp"
 #include "sweep/slurm_engine.hpp"
+#include "text/counted.hpp"
 
 namespace blocks::sweep {
 namespace {
@@ -175,7 +176,7 @@ class Engine {
     if (choice_.quiet)
       return;
     const std::chrono::duration<double> spent = Clock::now() - begin_;
-    fmt::print("{} runs: {}{}: {}\n", number_of_runs(),
+    fmt::print("{}: {}{}: {}\n", counted(number_of_runs(), "run"),
                words_of(count_runs(folder_, runs_)),
                open_.empty() ? "" : ", in " + run::duration(spent.count()), folder_);
   }

@@ -215,8 +215,8 @@ Plan read_plan(const std::string& folder) {
   if (!in)
     throw files::FileError(fmt::format(
         "{} is not the folder of a sweep: it has no sweep.json\n  hint: blocks sweep "
-        "DECK --seeds 1-20 -o {} makes one",
-        folder, folder));
+        "DECK --seeds 1-20 -o FOLDER makes one",
+        folder));
   try {
     return read_lines(in);
   } catch (const std::exception& fault) {

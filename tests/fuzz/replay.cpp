@@ -3,7 +3,7 @@
 //   fuzz_NAME [--children] MUTANTS FOLDER...
 // An input that crashes the program is stored as crash.fuzz_NAME in the current folder.
 // With --children every input has its own process. A crash inside HDF5 that the program
-// reports (output/file_access_guard.hpp) is counted and is no failure.
+// reports (files/file_access_guard.hpp) is counted and is no failure.
 #include <algorithm>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -81,6 +81,10 @@ const std::map<std::string, CommandPage>& command_pages() {
         "directions, spacing along scanlines. Several inputs are columns of one table, "
         "so that a generated network can be compared with its map; see "
         "docs/joint-statistics.md."}},
+      {"fit",
+       {"blocks joints fit decks/slope/slope.deck -o model.deck", "",
+        "Finds the families of directions of a map of traces, and writes a deck with a "
+        "joint set for each of them; see docs/joint-statistics.md."}},
       {"study",
        {"blocks study contacts figure4b --variants default,report", "",
         "Runs variants of the contact rules on the same random copies of a scene and "

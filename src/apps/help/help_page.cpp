@@ -10,15 +10,14 @@ namespace {
 
 constexpr std::size_t page_width = 79;
 
-/// Returns the page of a command, or of the command that `part` belongs to; null for
-/// the program.
+/// Returns the page of a command, or of the command that it belongs to; null for the
+/// program.
 const CommandPage* page_of(const CLI::App* part) {
-  if (part->get_parent() == nullptr)
-    return nullptr;
-  while (part->get_parent()->get_parent() != nullptr)
-    part = part->get_parent();
-  const auto page = command_pages().find(part->get_name());
-  return page == command_pages().end() ? nullptr : &page->second;
+  for (; part->get_parent() != nullptr; part = part->get_parent())
+    if (const auto page = command_pages().find(part->get_name());
+        page != command_pages().end())
+      return &page->second;
+  return nullptr;
 }
 
 }  // namespace

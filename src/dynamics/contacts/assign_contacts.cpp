@@ -25,16 +25,9 @@ void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
 
 }  // namespace
 
-/// Adds the contacts of `before` that may be held to `now`, in order. Leaves out
-/// contacts whose corner is bonded to another edge of the block.
+/// Adds the contacts of `before` that may be held to `now`, in order.
 void ContactArrays::keep_held(std::vector<PairContact>& now,
                               const std::vector<PairContact>& before) const {
-  std::erase_if(now, [&](const PairContact& found) {
-    return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
-      return old.acted && old.law_state.bonded && old.at.corner == found.at.corner &&
-             old.at.edge != found.at.edge;
-    });
-  });
   for (const PairContact& old : before) {
     if (!old.may_be_held())
       continue;
@@ -47,6 +40,18 @@ void ContactArrays::keep_held(std::vector<PairContact>& now,
   }
 }
 
+/// Removes contacts whose corner is bonded to another edge of the block, whether the
+/// rule has found them, an offset would hold them, or they are partners.
+void ContactArrays::drop_beside_bonds(std::vector<PairContact>& now,
+                                      const std::vector<PairContact>& before) const {
+  std::erase_if(now, [&](const PairContact& one) {
+    return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
+      return old.acted && old.law_state.bonded && old.at.corner == one.at.corner &&
+             old.at.edge != one.at.edge;
+    });
+  });
+}
+
 void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
                            const std::vector<CornerOnEdge>& found, bool tested,
                            ContactChanges& changes) {
@@ -57,8 +62,11 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
   if (may_hold) {
     contacts_of(p, changes.before);
     keep_held(now, before);
-    if (laws.in_situ())
+    drop_beside_bonds(now, before);
+    if (laws.in_situ()) {
       add_partners(blocks, now);
+      drop_beside_bonds(now, before);
+    }
   }
   bool same = true;
   std::size_t slots = 0;

@@ -24,14 +24,14 @@ struct ContactArrays {
 
   ContactBatches batches;
   LawTable laws;
-  std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts
+  std::vector<int> lane_of_pair;   ///< -1: the pair has no slots
   std::vector<int> pair_of_lane;   ///< -1: the lane is idle
   std::vector<int> slots_of_pair;  ///< slots that the pair needs; its lane has them
   std::vector<int> first_batch;    ///< (windows + 1) the first batch of each window
   /// lanes in which each block is the lower one, or the higher one
   Groups lows, highs;
 
-  /// Makes batches for the pairs of the index that have or have had contacts, and puts
+  /// Makes batches for the pairs of the index that need slots, and puts
   /// the contacts into them. `kept` are the contacts until now, `grown` those of pairs
   /// that need more slots than before, in any order. A pair that is in both gets the
   /// contacts of `grown`, which must then be more. No pair may be listed twice in
@@ -84,6 +84,8 @@ struct ContactArrays {
   void contacts_of(int p, std::vector<PairContact>& contacts) const;
   void keep_held(std::vector<PairContact>& now,
                  const std::vector<PairContact>& before) const;
+  void drop_beside_bonds(std::vector<PairContact>& now,
+                         const std::vector<PairContact>& before) const;
   void find_partners(const Blocks& blocks, int p);
   void fill_slot(const Blocks& blocks, int low, int slot, const PairContact& contact);
   void fill_slots(const Blocks& blocks, const PairIndex& index,

@@ -63,8 +63,8 @@ struct ContactsOfPairs {
   }
 };
 
-/// A copy of the spring of a contact that has ceased to act. It passes to another
-/// contact (spring_transfer.hpp). The slot itself is emptied when forces are computed.
+/// A copy of the spring of a contact that has ceased to act, or that a new decision
+/// lacks. It passes to another contact (spring_transfer.hpp).
 struct ReleasedSpring {
   int pair;
   CornerOnEdge at;

@@ -169,7 +169,7 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
       for (int c = 0; c < lanes_.used_corners; ++c)
         lanes_.corner[k][c][i] = parts.corner(part, c < corners ? c : 0);
     }
-  kernels().find_faces(lanes_, state_of(blocks), answers_);
+  kernels().find_facing_sides(lanes_, state_of(blocks), answers_);
   for (int i = 0; i < count; ++i) {
     const TwoParts& lane_parts = two_parts_[first + i];
     CertainDecision& decision = decisions_[lane_parts.due];

@@ -16,7 +16,7 @@ extern const Kernels kernels;
 constinit const Kernels kernels = {BLOCKS_NAME_OF(BLOCKS_INSTRUCTION_SET),
                                    test_and_compute_forces,
                                    compute_forces,
-                                   find_faces,
+                                   find_facing_sides,
                                    damp_unbalanced,
                                    update_velocities,
                                    update_strain,

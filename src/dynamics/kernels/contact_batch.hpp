@@ -33,7 +33,7 @@ struct ContactRow {
   PerLane<int> corner, edge, edge_end;
 };
 /// How the contacts of a row are decided. A contact that is neither tested nor certain
-/// does not act.
+/// acts only if a bond or an offset holds it, or if it takes over a spring.
 struct ContactTests {
   LaneBits tested;       ///< it acts if its corner is inside (19) and between the ends
   LaneBits certain;      ///< it acts: the exact rule has decided it for this step

@@ -6,8 +6,9 @@ namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
 /// Decides the pairs of one pack, which begins with lane i.
-BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& blocks,
-                                 int i, FacingAnswers& answers) {
+BLOCKS_INLINE void find_facing_sides_of(const PartPairs& pairs,
+                                        const BlockState& blocks, int i,
+                                        FacingAnswers& answers) {
   const int count = pairs.used_corners;
   if (count < 3)
     __builtin_unreachable();
@@ -138,10 +139,10 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
 
 }  // namespace
 
-void find_faces(const PartPairs& pairs, const BlockState& blocks,
-                FacingAnswers& answers) {
+void find_facing_sides(const PartPairs& pairs, const BlockState& blocks,
+                       FacingAnswers& answers) {
   for (int i = 0; i < lane_count; i += width)
-    find_faces_of(pairs, blocks, i, answers);
+    find_facing_sides_of(pairs, blocks, i, answers);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

@@ -28,7 +28,7 @@ struct Kernels {
   Extremes (*compute_forces)(const BatchArrays&, const BlockState&, const ContactLaw&,
                              bool rigid, bool readings, int begin, int end);
   /// Finds which faces act, for eight pairs of convex parts (face_kernel.hpp).
-  void (*find_faces)(const PartPairs&, const BlockState&, FacingAnswers&);
+  void (*find_facing_sides)(const PartPairs&, const BlockState&, FacingAnswers&);
 
   /// Local damping: subtracts from velocities, spins and strain rates. It has to
   /// precede the updates below.

@@ -21,13 +21,13 @@ struct Progress {
   long frames = 0;
   long samples = 0;  ///< samples of histories in the results
   long listing_bytes = 0;
-  long tabled_step = -1;                              ///< step of the last OUTPUT table
-  double half_depth = 0.0;                            ///< [L] see run/soundness.hpp
-  bool fast_reported = false;                         ///< a fast corner was reported
-  bool flight_reported = false;                       ///< a flight was reported
-  bool deep_reported = false;                         ///< a deep contact was reported
-  bool finished = false;                              ///< the deck was completed
-  std::string warnings = {};                          ///< warnings so far, one per line
+  long tabled_step = -1;         ///< step of the last OUTPUT table
+  double half_depth = 0.0;       ///< [L] see run/watch/soundness.hpp
+  bool fast_reported = false;    ///< a fast corner was reported
+  bool flight_reported = false;  ///< a flight was reported
+  bool deep_reported = false;    ///< a deep contact was reported
+  bool finished = false;         ///< the deck was completed
+  std::string warnings = {};     ///< warnings so far, one per line
   std::vector<geometry::BlockOverlap> overlaps = {};  ///< reported so far
 };
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "post/read/crack_tracker.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "post/read/material_list.hpp"
-#include "post/read/quantity.hpp"
 #include "quantities/energy.hpp"
 
 namespace blocks::post {

@@ -43,9 +43,9 @@ struct TimeRange {
 /// one at a time. `frames` means the frames in any case. `materials` has the names of
 /// materials that curves may use besides numbers.
 ///
-/// `parts` are the results of one run in the order of time (post/run_parts.hpp). A part
-/// ends where the next one begins. Displacements are relative to the first frame of the
-/// first part.
+/// `parts` are the results of one run in the order of time (post/read/run_parts.hpp). A
+/// part ends where the next one begins. Displacements are relative to the first frame
+/// of the first part.
 ///
 /// Throws std::runtime_error if a block, a corner or a material never exists, or if no
 /// time is in the range; the message says what exists.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "post/read/results_reader.hpp"
 
 namespace blocks::post {

@@ -7,7 +7,7 @@
 #include "files/whole_file.hpp"
 #include "post/export/time_series.hpp"
 #include "post/read/crack_tracker.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "quantities/bond.hpp"
 
 namespace blocks::post {

@@ -9,7 +9,7 @@
 #include "post/export/time_series.hpp"
 #include "post/export/vtu_file.hpp"
 #include "post/read/crack_tracker.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "text/escaped.hpp"
 
 namespace blocks::post {

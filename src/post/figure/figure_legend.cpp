@@ -13,7 +13,7 @@
 #include "post/figure/scene_drawing.hpp"
 #include "post/figure/sides.hpp"
 #include "post/figure/symbols.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 
 namespace blocks::post {
 

@@ -10,7 +10,7 @@
 #include "post/figure/arrows.hpp"
 #include "post/figure/figure_legend.hpp"
 #include "post/figure/scene_drawing.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "text/counted.hpp"
 
 namespace blocks::post {

@@ -7,11 +7,11 @@
 #include <stdexcept>
 
 #include "post/figure/sides.hpp"
-#include "post/read/families.hpp"
 #include "post/read/force_network.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "post/read/joint_faces.hpp"
 #include "post/read/joint_ids.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/piece_families.hpp"
 #include "quantities/statistic.hpp"
 
 namespace blocks::post {

@@ -6,9 +6,9 @@
 #include "post/figure/arrows.hpp"
 #include "post/figure/sides.hpp"
 #include "post/figure/symbols.hpp"
-#include "post/read/families.hpp"
 #include "post/read/force_network.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
+#include "post/read/piece_families.hpp"
 
 namespace blocks::post {
 

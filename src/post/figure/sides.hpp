@@ -10,7 +10,7 @@
 #include "post/figure/figure_scales.hpp"
 #include "post/figure/half.hpp"
 #include "post/read/face_motion.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 
 namespace blocks::post {
 

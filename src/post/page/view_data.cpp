@@ -19,8 +19,8 @@
 #include "post/page/view_store.hpp"
 #include "post/page/view_water.hpp"
 #include "post/read/crack_tracker.hpp"
-#include "post/read/families.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
+#include "post/read/piece_families.hpp"
 
 namespace blocks::post {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dynamics/preparation/make_quiet.hpp"
+#include "dynamics/preparation/quiet.hpp"
 #include "dynamics/preparation/time_step.hpp"
 #include "model/equilibrium.hpp"
 #include "run/builder/cards.hpp"

@@ -100,5 +100,35 @@ TEST(ContactArrays, GivePartnersToPairsWithoutSlots) {
   EXPECT_EQ(changes.grown.at(1).at, (CornerOnEdge{5, 2}));
 }
 
+// A corner that is bonded acts on no other edge of the block, even if an offset would
+// hold it there or it is a partner.
+TEST(ContactArrays, KeepABondedCornerOnItsEdge) {
+  std::mt19937 random(1);
+  const Blocks blocks = row_of_squares(2, random);
+  const PairIndex index = neighbours_in_row(2);
+  Settings settings;
+  settings.in_situ = true;
+  const CornerOnEdge bonded_at{5, 2}, held_at{5, 1};
+  PairContact bonded{{.at = bonded_at, .acted = true, .normal = 1.0}},
+      held{{.at = held_at, .acted = true, .normal = 1.0}};
+  bonded.law_state.bonded = true;
+  held.law_state.offset = 0.1;
+  ContactsOfPairs contacts;
+  contacts.add(0, {held, bonded}, true);
+  ContactArrays arrays;
+  arrays.slots_of_pair = {4};
+  arrays.make(blocks, settings, index, contacts, {});
+  ContactChanges changes;
+  arrays.assign(blocks, index, 0, {held_at, bonded_at}, true, changes);
+  std::vector<CornerOnEdge> kept;
+  arrays.each_slot(0, [&](int slot) {
+    if (!arrays.is_vacant(slot))
+      kept.push_back(arrays.at(slot));
+  });
+  EXPECT_EQ(kept, (std::vector<CornerOnEdge>{{2, 4}, bonded_at}));
+  ASSERT_EQ(changes.released.size(), 1U);
+  EXPECT_EQ(changes.released[0].at, held_at);
+}
+
 }  // namespace
 }  // namespace blocks::dynamics

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "dynamics/preparation/make_quiet.hpp"
+#include "dynamics/preparation/quiet.hpp"
 #include "dynamics/stepper.hpp"
 #include "model/drives.hpp"
 #include "model/equilibrium.hpp"

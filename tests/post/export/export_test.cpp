@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {

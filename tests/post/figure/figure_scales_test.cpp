@@ -9,7 +9,7 @@
 #include "post/figure/figure.hpp"
 #include "post/figure/figure_scales.hpp"
 #include "post/figure/two_squares.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 
 namespace blocks::post {
 

@@ -18,7 +18,7 @@
 #include "files/file_error.hpp"
 #include "files/whole_file.hpp"
 #include "post/figure/two_squares.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 
 namespace blocks::post {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "post/read/crack_tracker.hpp"
-#include "post/read/families.hpp"
+#include "post/read/piece_families.hpp"
 
 namespace blocks::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "post/page/view_data.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {

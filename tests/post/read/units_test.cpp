@@ -9,7 +9,7 @@
 
 #include "output/results/results_names.hpp"
 #include "post/page/view_data.hpp"
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 #include "tools/program.hpp"
 
 namespace blocks::testing {

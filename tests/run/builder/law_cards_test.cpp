@@ -1,5 +1,5 @@
 // JOINT, WALTON, BARTON, JPAIR, BOND and DRIVE: what the cards set, and what the
-// program tells about it. Wrong input is in bad_cards and bad_runs.
+// program tells about it. Wrong input is in corpus/bad_cards and corpus/bad_run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

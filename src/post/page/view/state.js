@@ -1,6 +1,6 @@
 // The page of `blocks view`. The state is one object. Every function that changes it calls
 // redraw(), which draws once before the next animation frame. The scripts of this folder follow
-// each other in one script element, in the order of src/post/CMakeLists.txt.
+// each other in one script element.
 "use strict";
 
 const $ = (id) => document.getElementById(id);

@@ -1,4 +1,4 @@
-#include "dynamics/preparation/make_quiet.hpp"
+#include "dynamics/preparation/quiet.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// QUIET: makes sides quiet, and finds the step that their dashpots allow
+// QUIET: makes sides quiet, and finds how fast their dashpots slow down a block
 // (docs/waves.md#quiet-sides).
 #pragma once
 

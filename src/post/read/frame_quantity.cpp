@@ -1,4 +1,4 @@
-#include "post/read/quantity.hpp"
+#include "post/read/frame_quantity.hpp"
 
 #include <set>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "post/read/families.hpp"
+#include "post/read/piece_families.hpp"
 
 namespace blocks::post {
 
