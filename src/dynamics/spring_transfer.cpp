@@ -134,6 +134,9 @@ class Choice {
         {of(slot, &SpringRow::shear_elastic), of(slot, &LawRow::shear_stiffness)},
         {released_.shear, state.shear_stiffness}, cosine, more(state.shear_stiffness),
         limit(values.shear_stiffness, settings_.shear_stiffness));
+    // With this offset the successor is as deep as its force needs.
+    const double needed =
+        normal.stiffness > 0.0 ? normal.force / normal.stiffness - depth(place) : 0.0;
     best_ = {.slot = slot,
              .batch = lane / lane_count,
              .before = of(slot, &SpringRow::normal_elastic),
@@ -141,10 +144,7 @@ class Choice {
              .shear = shear.force,
              .stiffness = normal.stiffness,
              .shear_stiffness = shear.stiffness,
-             .offset = is_held_
-                           ? std::max(of(slot, &LawRow::offset),
-                                      normal.force / normal.stiffness - depth(place))
-                           : 0.0};
+             .offset = is_held_ ? std::max(of(slot, &LawRow::offset), needed) : 0.0};
   }
 
   /// Springs of STIFF: the contact whose normal spring gains most takes them. It keeps
