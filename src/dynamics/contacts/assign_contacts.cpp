@@ -40,15 +40,20 @@ void ContactArrays::keep_held(std::vector<PairContact>& now,
   }
 }
 
-/// Removes contacts whose corner is bonded to another edge of the block, whether the
-/// rule has found them, an offset would hold them, or they are partners.
+/// Removes contacts that are not bonded and whose corner is bonded to another edge of
+/// the block, whether the rule has found them, an offset would hold them, or they are
+/// partners. At a bend of a bonded joint a corner may be bonded to two edges.
 void ContactArrays::drop_beside_bonds(std::vector<PairContact>& now,
                                       const std::vector<PairContact>& before) const {
   std::erase_if(now, [&](const PairContact& one) {
-    return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
-      return old.acted && old.law_state.bonded && old.at.corner == one.at.corner &&
-             old.at.edge != one.at.edge;
-    });
+    bool is_beside = false;
+    for (const PairContact& old : before)
+      if (old.acted && old.law_state.bonded && old.at.corner == one.at.corner) {
+        if (old.at == one.at)
+          return false;
+        is_beside = true;
+      }
+    return is_beside;
   });
 }
 

@@ -101,33 +101,35 @@ TEST(ContactArrays, GivePartnersToPairsWithoutSlots) {
 }
 
 // A corner that is bonded acts on no other edge of the block, even if an offset would
-// hold it there or it is a partner.
-TEST(ContactArrays, KeepABondedCornerOnItsEdge) {
+// hold it there or it is a partner. It may be bonded to both edges at a bend.
+TEST(ContactArrays, KeepABondedCornerOnItsEdges) {
   std::mt19937 random(1);
   const Blocks blocks = row_of_squares(2, random);
   const PairIndex index = neighbours_in_row(2);
   Settings settings;
   settings.in_situ = true;
-  const CornerOnEdge bonded_at{5, 2}, held_at{5, 1};
-  PairContact bonded{{.at = bonded_at, .acted = true, .normal = 1.0}},
-      held{{.at = held_at, .acted = true, .normal = 1.0}};
-  bonded.law_state.bonded = true;
-  held.law_state.offset = 0.1;
-  ContactsOfPairs contacts;
-  contacts.add(0, {held, bonded}, true);
-  ContactArrays arrays;
-  arrays.slots_of_pair = {4};
-  arrays.make(blocks, settings, index, contacts, {});
-  ContactChanges changes;
-  arrays.assign(blocks, index, 0, {held_at, bonded_at}, true, changes);
-  std::vector<CornerOnEdge> kept;
-  arrays.each_slot(0, [&](int slot) {
-    if (!arrays.is_vacant(slot))
-      kept.push_back(arrays.at(slot));
-  });
-  EXPECT_EQ(kept, (std::vector<CornerOnEdge>{{2, 4}, bonded_at}));
-  ASSERT_EQ(changes.released.size(), 1U);
-  EXPECT_EQ(changes.released[0].at, held_at);
+  const CornerOnEdge first{5, 1}, second{5, 2};
+  for (const bool is_bend : {false, true}) {
+    PairContact one{{.at = first, .acted = true, .normal = 1.0}},
+        other{{.at = second, .acted = true, .normal = 1.0}};
+    one.law_state.offset = 0.1, one.law_state.bonded = is_bend;
+    other.law_state.bonded = true;
+    ContactsOfPairs contacts;
+    contacts.add(0, {one, other}, true);
+    ContactArrays arrays;
+    arrays.slots_of_pair = {6};
+    arrays.make(blocks, settings, index, contacts, {});
+    ContactChanges changes;
+    arrays.assign(blocks, index, 0, {first, second}, true, changes);
+    std::vector<CornerOnEdge> kept;
+    arrays.each_slot(0, [&](int slot) {
+      if (!arrays.is_vacant(slot) && arrays.at(slot).corner == 5)
+        kept.push_back(arrays.at(slot));
+    });
+    EXPECT_EQ(kept, is_bend ? (std::vector<CornerOnEdge>{first, second})
+                            : (std::vector<CornerOnEdge>{second}));
+    EXPECT_EQ(changes.released.size(), is_bend ? 0U : 1U);
+  }
 }
 
 }  // namespace
