@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 #include "dynamics/preparation/bond.hpp"
 #include "geometry/angle.hpp"
@@ -46,7 +45,7 @@ JointLaw* find_law(const Context& context, const deck::Int& id) {
   if (context.state.unread.may_define_joint(id.value))
     return nullptr;
   context.error(id.where, fmt::format("no JOINT card above has the id {}", id.value),
-                "joint ids with a JOINT card: " + listed(std::views::keys(laws)));
+                "joint ids with a JOINT card: " + listed(laws));
   return nullptr;
 }
 

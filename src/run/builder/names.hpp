@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,13 @@ std::string place_hint(const Context& context);
 /// Lists what is defined: "1, 4", or "none".
 std::string listed(const auto& defined) {
   return defined.empty() ? "none" : fmt::format("{}", fmt::join(defined, ", "));
+}
+/// Lists the numbers under which something is defined.
+template <class Value> std::string listed(const std::map<int, Value>& defined) {
+  std::vector<int> numbers;
+  for (const auto& [number, value] : defined)
+    numbers.push_back(number);
+  return listed(numbers);
 }
 
 }  // namespace blocks::run

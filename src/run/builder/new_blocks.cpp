@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "run/builder/names.hpp"
 #include "run/support/contact_memory.hpp"
@@ -33,7 +32,7 @@ double density(const Context& context, long material, deck::SourceLocation where
   if (context.state.unread.may_define(material, context.settings))
     return 1.0;
   context.error(where, fmt::format("there is no material {}", material),
-                "materials defined: " + listed(std::views::keys(materials)));
+                "materials defined: " + listed(materials));
   return 0.0;
 }
 
