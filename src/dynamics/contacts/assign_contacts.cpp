@@ -1,15 +1,12 @@
 // What a new decision changes in the slots of a pair.
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "dynamics/contacts/contact_arrays.hpp"
 #include "dynamics/contacts/partners.hpp"
 
 namespace blocks::dynamics {
 namespace {
-
-auto as_pair(const CornerOnEdge& at) { return std::pair(at.corner, at.edge); }
 
 /// Writes the contacts in ascending order of corner and edge, without springs.
 void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
@@ -18,33 +15,21 @@ void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
   for (const CornerOnEdge& at : found)
     sorted.push_back({{.at = at, .tested = tested, .certain = !tested}});
   std::sort(sorted.begin(), sorted.end(),
-            [](const PairContact& l, const PairContact& r) {
-              return as_pair(l.at) < as_pair(r.at);
-            });
+            [](const PairContact& l, const PairContact& r) { return l.at < r.at; });
 }
 
-}  // namespace
-
-/// Adds the contacts of `before` that may be held to `now`, in order.
-void ContactArrays::keep_held(std::vector<PairContact>& now,
-                              const std::vector<PairContact>& before) const {
-  for (const PairContact& old : before) {
-    if (!old.may_be_held())
-      continue;
-    const auto place = std::lower_bound(now.begin(), now.end(), old,
-                                        [](const PairContact& l, const PairContact& r) {
-                                          return as_pair(l.at) < as_pair(r.at);
-                                        });
-    if (place == now.end() || place->at != old.at)
-      now.insert(place, PairContact{{.at = old.at}});
-  }
+/// Adds the contacts of `before` that may be held to `now`.
+void keep_held(std::vector<PairContact>& now, const std::vector<PairContact>& before) {
+  for (const PairContact& old : before)
+    if (old.may_be_held())
+      add_in_order(now, old.at);
 }
 
 /// Removes contacts that are not bonded and whose corner is bonded to another edge of
 /// the block, whether the rule has found them, an offset would hold them, or they are
 /// partners. At a bend of a bonded joint a corner may be bonded to two edges.
-void ContactArrays::drop_beside_bonds(std::vector<PairContact>& now,
-                                      const std::vector<PairContact>& before) const {
+void drop_beside_bonds(std::vector<PairContact>& now,
+                       const std::vector<PairContact>& before) {
   std::erase_if(now, [&](const PairContact& one) {
     bool is_beside = false;
     for (const PairContact& old : before)
@@ -56,6 +41,8 @@ void ContactArrays::drop_beside_bonds(std::vector<PairContact>& now,
     return is_beside;
   });
 }
+
+}  // namespace
 
 void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
                            const std::vector<CornerOnEdge>& found, bool tested,
@@ -93,7 +80,7 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
     contacts_of(p, changes.before);
   auto next = now.begin();
   for (const PairContact& old : before) {
-    while (next != now.end() && as_pair(next->at) < as_pair(old.at))
+    while (next != now.end() && next->at < old.at)
       ++next;
     if (next != now.end() && next->at == old.at)
       next->acted = old.acted, next->normal = old.normal, next->shear = old.shear,

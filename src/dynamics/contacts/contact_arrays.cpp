@@ -1,5 +1,6 @@
 #include "dynamics/contacts/contact_arrays.hpp"
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <tuple>
@@ -115,7 +116,8 @@ void ContactArrays::arrange_pairs(const Blocks& blocks, const PairIndex& index) 
   lane_of_pair.assign(static_cast<std::size_t>(index.size()), -1);
   pair_of_lane.clear();
   first_batch.assign(1, 0);
-  each_window(index.size(), [&](int begin, int end) {
+  for (int begin = 0; begin < index.size(); begin += pairs_of_window) {
+    const int end = std::min(index.size(), begin + pairs_of_window);
     order.clear();
     for (int p = begin; p < end; ++p)
       if (slots_of_pair[p] > 0)
@@ -129,7 +131,7 @@ void ContactArrays::arrange_pairs(const Blocks& blocks, const PairIndex& index) 
     while (pair_of_lane.size() % lane_count != 0)
       pair_of_lane.push_back(-1);
     first_batch.push_back(static_cast<int>(pair_of_lane.size()) / lane_count);
-  });
+  }
 }
 
 /// Makes the batches of the lanes, with vacant slots.

@@ -2,7 +2,6 @@
 // lanes. The arrangement has no influence on results.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "dynamics/contacts/contact_batches.hpp"
@@ -41,7 +40,7 @@ struct ContactArrays {
   /// Assigns these contacts to pair p. If `tested`, a contact acts only if its corner
   /// is inside its edge and between the ends. Otherwise all of them act. Contacts that
   /// the pair had before keep their springs. Held contacts (PairContact::may_be_held)
-  /// are kept too, and a corner that is bonded to a block acts on no other edge of it.
+  /// are kept too, and a corner that is bonded to a block acts only where it is bonded.
   /// After INSITU the contacts at the same ends of faces get slots too.
   /// Loaded springs of its other former contacts are added to changes.released. If the
   /// pair has too few slots, its contacts are added to changes.grown instead of the
@@ -82,10 +81,6 @@ struct ContactArrays {
 
  private:
   void contacts_of(int p, std::vector<PairContact>& contacts) const;
-  void keep_held(std::vector<PairContact>& now,
-                 const std::vector<PairContact>& before) const;
-  void drop_beside_bonds(std::vector<PairContact>& now,
-                         const std::vector<PairContact>& before) const;
   void find_partners(const Blocks& blocks, int p);
   void fill_slot(const Blocks& blocks, int low, int slot, const PairContact& contact);
   void fill_slots(const Blocks& blocks, const PairIndex& index,
@@ -105,12 +100,6 @@ struct ContactArrays {
   }
   void find_lanes_of_blocks(const PairIndex& index, int NearPair::*side, Groups& lanes);
 };
-
-/// Calls visit(begin, end) for the half-open range of pairs of each window.
-template <class Visit> void each_window(int pairs, const Visit& visit) {
-  for (int begin = 0; begin < pairs; begin += pairs_of_window)
-    visit(begin, std::min(pairs, begin + pairs_of_window));
-}
 
 /// Returns the columns of blocks from which contacts are computed.
 inline BlockState state_of(const Blocks& blocks) {

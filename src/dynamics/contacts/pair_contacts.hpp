@@ -1,6 +1,7 @@
 // The contacts of some pairs, outside the arrays that hold them in a step.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,16 @@ struct PairContact : ContactRecord {
     return acted && (law_state.bonded || law_state.offset > 0.0);
   }
 };
+
+/// Adds a contact without springs to a list in ascending order of corner and edge,
+/// unless it is there already.
+inline void add_in_order(std::vector<PairContact>& contacts, const CornerOnEdge& at) {
+  const auto place = std::lower_bound(
+      contacts.begin(), contacts.end(), at,
+      [](const PairContact& l, const CornerOnEdge& r) { return l.at < r; });
+  if (place == contacts.end() || place->at != at)
+    contacts.insert(place, PairContact{{.at = at}});
+}
 
 /// Pair pair[k] has the contacts from all[first[k]] to all[first[k + 1]], a half-open
 /// range.

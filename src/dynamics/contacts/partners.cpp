@@ -1,8 +1,5 @@
 #include "dynamics/contacts/partners.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "geometry/contact_constants.hpp"
 
 namespace blocks::dynamics {
@@ -14,15 +11,6 @@ void add_partners(const Blocks& blocks, std::vector<PairContact>& contacts) {
     return along > 0.0 &&
            along * along >= square_of_cosine * side.squaredNorm() * edge.squaredNorm();
   };
-  const auto add = [&](const CornerOnEdge& at) {
-    const auto place = std::lower_bound(
-        contacts.begin(), contacts.end(), at,
-        [](const PairContact& l, const CornerOnEdge& r) {
-          return std::pair(l.at.corner, l.at.edge) < std::pair(r.corner, r.edge);
-        });
-    if (place == contacts.end() || place->at != at)
-      contacts.insert(place, PairContact{{.at = at}});
-  };
   const std::vector<PairContact> given = contacts;
   for (const PairContact& contact : given) {
     const auto [corner, edge] = contact.at;
@@ -32,9 +20,9 @@ void add_partners(const Blocks& blocks, std::vector<PairContact>& contacts) {
     };
     const Vec2 along = from_to(edge, edge_end);
     if (faces(from_to(corner, before), along))
-      add({edge, before});
+      add_in_order(contacts, {edge, before});
     if (faces(from_to(blocks.next[corner], corner), along))
-      add({edge_end, corner});
+      add_in_order(contacts, {edge_end, corner});
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <memory>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace blocks::dynamics {
 /// corner.
 struct CornerOnEdge {
   int corner = -1, edge = -1;
-  bool operator==(const CornerOnEdge&) const = default;
+  auto operator<=>(const CornerOnEdge&) const = default;
 };
 
 /// Working memory of the rule for one thread. It grows as needed and is reused.
