@@ -13,17 +13,24 @@ namespace {
 /// touch. In a pile that falls, the arrays are then rebuilt five times less often.
 constexpr double near_share = 0.1;
 
-/// Finds the pairs of the half-open range [begin, end) whose decisions have expired.
-void find_due(const Blocks& blocks, Workspace& work, int begin, int end,
-              std::vector<int>& due) {
+/// Decisions are made for so many pairs at once. Their memory is then small even in the
+/// first step, which decides all pairs.
+constexpr std::size_t due_at_once = 4096;
+
+/// Finds the first pairs of the half-open range [begin, end) whose decisions have
+/// expired. Returns the first pair that has not been examined.
+int find_due(const Blocks& blocks, Workspace& work, int begin, int end,
+             std::vector<int>& due) {
   Decisions& decisions = work.decisions;
   const bool keeps = work.rule->options.keeps_decisions;
   const double longest_path = decisions.bounds.longest_path;
   due.clear();
-  for (int p = begin; p < end; ++p)
+  int p = begin;
+  for (; p < end && due.size() < due_at_once; ++p)
     if (!keeps || !(longest_path < decisions.next_check[p] ||
                     decisions.holds(blocks, work.parts, work.index.pairs[p], p)))
       due.push_back(p);
+  return p;
 }
 
 /// Decides the due pairs of a thread. A decision is kept while it certainly holds, or
@@ -56,21 +63,29 @@ void decide_due(const Blocks& blocks, Workspace& work, DecisionThread& thread) {
   }
 }
 
-/// Takes what the threads have found.
-void join_threads(Workspace& work) {
-  DecisionMemory& memory = work.deciding;
-  memory.grown.clear();
-  for (DecisionThread& thread : memory.threads) {
+/// Takes the springs that the threads have released, and counts exact questions. Returns
+/// whether pairs have outgrown their slots.
+bool join_threads(Workspace& work) {
+  bool has_grown = false;
+  for (DecisionThread& thread : work.deciding) {
     std::vector<ReleasedSpring>& released = thread.changes.released;
     work.forces.transfer.released.insert(work.forces.transfer.released.end(),
                                          released.begin(), released.end());
     released.clear();
-    memory.grown.append(thread.changes.grown);
-    thread.changes.grown.clear();
+    has_grown = has_grown || !thread.changes.grown.pair.empty();
     if (const auto calls = std::exchange(thread.exact_calls, 0);
         work.profile != nullptr)
       work.profile->exact_calls += calls;
   }
+  return has_grown;
+}
+
+/// Takes the contacts of pairs that have outgrown their slots from the threads.
+ContactsOfPairs take_grown(Workspace& work) {
+  ContactsOfPairs all;
+  for (DecisionThread& thread : work.deciding)
+    all.append(std::exchange(thread.changes.grown, {}));
+  return all;
 }
 
 /// Gives slots to pairs that have none and may touch soon.
@@ -94,19 +109,21 @@ void decide_contacts(const Model& model, Workspace& work) {
   };
   // A window is decided by one thread, so no other thread writes to its batches.
   work.workers->each(work.split.windows, [&](int k, int begin, int end) {
-    DecisionThread& thread = work.deciding.threads[k];
+    DecisionThread& thread = work.deciding[k];
     const unsigned long long before = geometry::exact::calls();
-    find_due(blocks, work, pairs_until(begin), pairs_until(end), thread.due);
-    decide_due(blocks, work, thread);
+    for (int next = pairs_until(begin); next < pairs_until(end);) {
+      next = find_due(blocks, work, next, pairs_until(end), thread.due);
+      decide_due(blocks, work, thread);
+    }
     thread.exact_calls += geometry::exact::calls() - before;
   });
-  join_threads(work);
-  DecisionMemory& memory = work.deciding;
-  if (memory.grown.pair.empty())
+  if (!join_threads(work))
     return;
   expect_contacts(work);
-  work.contacts.copy_contacts(memory.kept);
-  work.contacts.make(blocks, model.settings, work.index, memory.kept, memory.grown);
+  const ContactsOfPairs grown = take_grown(work);
+  ContactsOfPairs kept;
+  work.contacts.copy_contacts(kept);
+  work.contacts.make(blocks, model.settings, work.index, kept, grown);
   work.split.split_batches(work.contacts.first_batch);
 }
 

@@ -22,13 +22,6 @@ struct DecisionThread {
   unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
 };
 
-/// Working memory of decide_contacts.
-struct DecisionMemory {
-  std::vector<DecisionThread> threads;
-  ContactsOfPairs grown;  ///< pairs that have outgrown their slots
-  ContactsOfPairs kept;   ///< all contacts while the arrays are rebuilt
-};
-
 /// Decides the pairs whose decisions have expired and assigns their contacts to slots.
 /// Reads blocks and motion bounds; writes decisions and arrays. The springs of contacts
 /// that the new decisions lack are released (SpringTransfer::released), in any order.

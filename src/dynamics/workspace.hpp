@@ -30,7 +30,7 @@ struct Workspace {
   explicit Workspace(int threads = 1)
       : workers(std::make_unique<Workers>(threads)),
         moved(static_cast<std::size_t>(threads)) {
-    deciding.threads.resize(static_cast<std::size_t>(threads));
+    deciding.resize(static_cast<std::size_t>(threads));
     forces.threads.resize(static_cast<std::size_t>(threads));
   }
 
@@ -58,7 +58,7 @@ struct Workspace {
   /// The column of corners for which the columns of blocks were last moved to huge
   /// pages.
   const double* corners_in_huge_pages = nullptr;
-  DecisionMemory deciding;
+  std::vector<DecisionThread> deciding;
   ForceMemory forces;
   EnergyMemory energy;
   std::vector<Displacement> moved;  ///< (threads)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "dynamics/rules/pair_rule.hpp"
@@ -60,7 +61,9 @@ struct ContactsOfPairs {
     first.push_back(static_cast<int>(all.size()));
   }
   /// Adds all contacts of another list.
-  void append(const ContactsOfPairs& other) {
+  void append(ContactsOfPairs&& other) {
+    if (pair.empty())
+      return void(*this = std::move(other));
     const int before = static_cast<int>(all.size());
     const auto copy = [](const auto& from, auto& to) {
       to.insert(to.end(), from.begin(), from.end());
