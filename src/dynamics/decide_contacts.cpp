@@ -63,8 +63,8 @@ void decide_due(const Blocks& blocks, Workspace& work, DecisionThread& thread) {
   }
 }
 
-/// Takes the springs that the threads have released, and counts exact questions. Returns
-/// whether pairs have outgrown their slots.
+/// Takes the springs that the threads have released, and counts exact questions.
+/// Returns whether pairs have outgrown their slots.
 bool join_threads(Workspace& work) {
   bool has_grown = false;
   for (DecisionThread& thread : work.deciding) {

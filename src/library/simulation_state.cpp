@@ -210,6 +210,7 @@ void Simulation::State::make_steps(const deck::Command& command) {
     solve(*solving, command.where.line);
   else
     factor_of_safety(std::get<deck::Fos>(command.card), command.where.line);
+  stepper.up_to_date();  // cards may follow
 }
 
 /// Throws DeckError if there were errors. Otherwise keeps what the cards have told.

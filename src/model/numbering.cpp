@@ -25,16 +25,6 @@ double way(const Blocks& blocks, const std::vector<int>& order) {
   return sum;
 }
 
-/// Returns the drives or servos of the new blocks, in their order.
-template <class Drive>
-std::vector<Drive> sorted(std::vector<Drive> all, const std::vector<int>& new_of) {
-  for (Drive& one : all)
-    one.block = new_of[one.block];
-  std::sort(all.begin(), all.end(),
-            [](const Drive& l, const Drive& r) { return l.block < r.block; });
-  return all;
-}
-
 }  // namespace
 
 std::vector<int> strip_order(const Blocks& blocks) {
@@ -73,19 +63,25 @@ std::vector<int> order_if_worthwhile(const Blocks& blocks, int min) {
 
 namespace {
 
-/// Copies the items of `from` into the new order.
-template <class T>
-void take(const std::vector<T>& from, const NewNumbers& numbers, std::vector<T>& to) {
-  to.resize(numbers.old_of.size());
-  for (std::size_t i = 0; i < to.size(); ++i)
-    to[i] = from[numbers.old_of[i]];
+/// Puts the items of a column into the new order. The column keeps its memory.
+template <class T> void take(std::vector<T>& column, const NewNumbers& numbers) {
+  const std::vector<T> from = column;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    column[i] = from[numbers.old_of[i]];
 }
-template <class Matrix>
-void take(const Matrix& from, const NewNumbers& numbers, Matrix& to) {
+template <class Matrix> void take(Matrix& column, const NewNumbers& numbers) {
+  const Matrix from = column;
   if constexpr (Matrix::ColsAtCompileTime == 1)
-    to = from(numbers.old_of);
+    column = from(numbers.old_of);
   else
-    to = from(Eigen::all, numbers.old_of);
+    column = from(Eigen::all, numbers.old_of);
+}
+
+/// Gives loads or drives the new numbers of their blocks.
+template <class Item>
+void give_numbers(std::vector<Item>& items, const NewNumbers& blocks) {
+  for (Item& item : items)
+    item.block = blocks.new_of[item.block];
 }
 
 void find_new(NewNumbers& numbers) {
@@ -106,6 +102,12 @@ Numbering::Numbering(const Blocks& old, const std::vector<int>& order) {
   find_new(corners_);
 }
 
+Numbering Numbering::of_renumbered(const Blocks& now, const std::vector<int>& order) {
+  NewNumbers numbers{order, {}};
+  find_new(numbers);
+  return Numbering(now, numbers.new_of).reverse();
+}
+
 Numbering Numbering::reverse() const {
   Numbering back = *this;
   for (NewNumbers* numbers : {&back.blocks_, &back.corners_})
@@ -113,85 +115,67 @@ Numbering Numbering::reverse() const {
   return back;
 }
 
-Loads Numbering::renumbered(Loads loads) const {
-  for (Pressure& pressure : loads.pressures)
-    pressure.block = blocks_.new_of[pressure.block];
-  for (CentroidForce& force : loads.forces)
-    force.block = blocks_.new_of[force.block];
-  for (QuietSide& quiet : loads.quiet_sides)
-    quiet.block = blocks_.new_of[quiet.block];
-  return loads;
-}
-
-std::vector<Drive> Numbering::renumbered(std::vector<Drive> drives) const {
-  return sorted(std::move(drives), blocks_.new_of);
-}
-
-std::vector<Servo> Numbering::renumbered(std::vector<Servo> servos) const {
-  return sorted(std::move(servos), blocks_.new_of);
-}
-
-void Numbering::renumber(const Blocks& from, Blocks& to) const {
-  const auto of_corners = [&](auto... columns) {
-    (take(from.*columns, corners_, to.*columns), ...);
-  };
-  const auto of_blocks = [&](auto... columns) {
-    (take(from.*columns, blocks_, to.*columns), ...);
-  };
-  of_corners(&Blocks::corner_block, &Blocks::next, &Blocks::previous, &Blocks::joint,
-             &Blocks::arm, &Blocks::corner);
-  of_blocks(&Blocks::material, &Blocks::fixity, &Blocks::convex, &Blocks::layer,
-            &Blocks::area, &Blocks::mass, &Blocks::inertia, &Blocks::second_moment,
-            &Blocks::centroid, &Blocks::gradient, &Blocks::velocity, &Blocks::angle,
-            &Blocks::spin, &Blocks::force, &Blocks::moment, &Blocks::applied,
-            &Blocks::stress, &Blocks::strain_rate);
-  if (from.has_scaled_masses())
-    of_blocks(&Blocks::scale);
-  else
-    to.scale.resize(0);
-  for (int& block : to.corner_block)
+void Numbering::renumber(Blocks& blocks) const {
+  const auto of_corners = [&](auto&... columns) { (take(columns, corners_), ...); };
+  const auto of_blocks = [&](auto&... columns) { (take(columns, blocks_), ...); };
+  of_corners(blocks.corner_block, blocks.next, blocks.previous, blocks.joint,
+             blocks.arm, blocks.corner);
+  of_blocks(blocks.material, blocks.fixity, blocks.convex, blocks.layer, blocks.area,
+            blocks.mass, blocks.inertia, blocks.second_moment, blocks.centroid,
+            blocks.gradient, blocks.velocity, blocks.angle, blocks.spin, blocks.force,
+            blocks.moment, blocks.applied, blocks.stress, blocks.strain_rate);
+  if (blocks.has_scaled_masses())
+    of_blocks(blocks.scale);
+  for (int& block : blocks.corner_block)
     block = blocks_.new_of[block];
-  to.cuts = from.cuts;
-  for (std::size_t k = 0; k < to.cuts.size();
-       k += 2 + static_cast<std::size_t>(to.cuts[k + 1]))
-    to.cuts[k] = blocks_.new_of[to.cuts[k]];
-  for (std::vector<int>* beside : {&to.next, &to.previous})
+  for (std::size_t k = 0; k < blocks.cuts.size();
+       k += 2 + static_cast<std::size_t>(blocks.cuts[k + 1]))
+    blocks.cuts[k] = blocks_.new_of[blocks.cuts[k]];
+  for (std::vector<int>* beside : {&blocks.next, &blocks.previous})
     for (int& corner : *beside)
       corner = corners_.new_of[corner];
-  to.first_corner.assign(1, 0);
-  for (const int b : blocks_.old_of)
-    to.first_corner.push_back(to.first_corner.back() + from.corners_of(b));
+  const std::vector<int> first(blocks.first_corner.begin(), blocks.first_corner.end());
+  for (int b = 0; b < blocks_.size(); ++b) {
+    const int old = blocks_.old_of[b];
+    blocks.first_corner[b + 1] = blocks.first_corner[b] + first[old + 1] - first[old];
+  }
 }
 
-void Numbering::renumber(const std::vector<Contact>& from,
-                         const std::vector<LawState>& states, const Blocks& blocks,
-                         std::vector<Contact>& to,
-                         std::vector<LawState>& states_to) const {
-  NewNumbers records;
-  records.old_of.resize(from.size());
-  std::iota(records.old_of.begin(), records.old_of.end(), 0);
-  std::vector<Contact> renumbered = from;
-  for (Contact& contact : renumbered) {
+/// blocks: already renumbered.
+void Numbering::renumber_contacts(Model& model) const {
+  struct Place {
+    std::tuple<int, int, int, int> key;
+    int old;
+  };
+  std::vector<Place> places;
+  places.reserve(model.contacts.size());
+  for (Contact& contact : model.contacts) {
     contact.corner = corners_.new_of[contact.corner];
     contact.edge = corners_.new_of[contact.edge];
+    places.push_back(
+        {sort_key(model.blocks, contact), static_cast<int>(places.size())});
   }
-  std::sort(records.old_of.begin(), records.old_of.end(), [&](int l, int r) {
-    return sort_key(blocks, renumbered[l]) < sort_key(blocks, renumbered[r]);
-  });
-  take(renumbered, records, to);
-  if (states.empty())
-    states_to.clear();
-  else
-    take(states, records, states_to);
+  std::ranges::sort(places, {}, &Place::key);
+  NewNumbers records;
+  for (const Place& place : places)
+    records.old_of.push_back(place.old);
+  take(model.contacts, records);
+  take(model.law_states, records);
 }
 
-std::vector<PlaneContact> Numbering::renumbered(std::vector<PlaneContact> list) const {
-  for (PlaneContact& contact : list)
+void Numbering::renumber(Model& model) const {
+  renumber(model.blocks);
+  renumber_contacts(model);
+  for (PlaneContact& contact : model.plane_contacts)
     contact.corner = corners_.new_of[contact.corner];
-  std::sort(list.begin(), list.end(), [](const PlaneContact& l, const PlaneContact& r) {
-    return std::pair(l.plane, l.corner) < std::pair(r.plane, r.corner);
+  std::ranges::sort(model.plane_contacts, {}, [](const PlaneContact& contact) {
+    return std::pair(contact.plane, contact.corner);
   });
-  return list;
+  const auto give = [&](auto&... lists) { (give_numbers(lists, blocks_), ...); };
+  give(model.loads.pressures, model.loads.forces, model.loads.quiet_sides);
+  give(model.drives, model.servos);
+  std::ranges::sort(model.drives, {}, &Drive::block);
+  std::ranges::sort(model.servos, {}, &Servo::block);
 }
 
 }  // namespace blocks

@@ -32,34 +32,29 @@ struct NewNumbers {
   int size() const { return static_cast<int>(old_of.size()); }
 };
 
-/// Maps a model to one with the same blocks in another order; the order of the corners
-/// within a block is kept. Guarantee: reverse() restores the old model bit by bit.
+/// Gives the blocks of a model other numbers; the order of the corners within a block
+/// is kept. Guarantee: reverse() restores the old model bit by bit.
 class Numbering {
  public:
   Numbering() = default;
   /// order: the old numbers of all blocks, in the new order.
   Numbering(const Blocks& old, const std::vector<int>& order);
+  /// The same from blocks that already have their new numbers.
+  static Numbering of_renumbered(const Blocks& now, const std::vector<int>& order);
   Numbering reverse() const;
 
   const NewNumbers& blocks() const { return blocks_; }
   const NewNumbers& corners() const { return corners_; }
 
-  void renumber(const Blocks& from, Blocks& to) const;
-  /// Renumbers corners and edges and sorts the list by sort_key. blocks: the renumbered
-  /// blocks.
-  void renumber(const std::vector<Contact>& from, const std::vector<LawState>& states,
-                const Blocks& blocks, std::vector<Contact>& to,
-                std::vector<LawState>& states_to) const;
-  /// Returns the contacts with planes with new numbers of corners, in their order.
-  std::vector<PlaneContact> renumbered(std::vector<PlaneContact> list) const;
-  /// Returns the loads with new block numbers; their order is unchanged.
-  Loads renumbered(Loads loads) const;
-  /// Returns the drives with new block numbers, in ascending order.
-  std::vector<Drive> renumbered(std::vector<Drive> drives) const;
-  /// Returns the servos with new block numbers, in ascending order.
-  std::vector<Servo> renumbered(std::vector<Servo> servos) const;
+  /// Renumbers what a step reads and writes: blocks, contacts with blocks and planes,
+  /// loads, drives and servos. Lists are sorted by the new numbers, except for loads.
+  /// Columns of blocks keep their memory. The rest of the model stays as it is.
+  void renumber(Model& model) const;
 
  private:
+  void renumber(Blocks& blocks) const;
+  void renumber_contacts(Model& model) const;
+
   NewNumbers blocks_, corners_;
 };
 

@@ -62,12 +62,14 @@ TEST(Simulation, GivesTheBitsOfTheProgram) {
 // The blocks are numbered at random, so that the run uses an internal order.
 TEST(Simulation, GivesTheBitsOfTheProgramInAnInternalOrder) {
   const TemporaryFolder folder;
-  folder.write("whole.deck",
-               wall_at_random() + "CYCLE, 30\nSETVEL, 77, 0, 1\nCYCLE, 20\n");
+  const std::string deck =
+      wall_at_random() + "CYCLE, 30\nSETVEL, 77, 0, 1\nCYCLE, 20\n";
+  folder.write("whole.deck", deck);
   ASSERT_EQ(blocks("run whole.deck -j 1", folder.path()).code, 0);
   const std::vector<double> expected =
       corners(Simulation("RESTART, " + (folder / "whole.ckpt.h5").string()));
 
+  EXPECT_EQ(corners(Simulation(deck)), expected);
   Simulation driven(wall_at_random());
   for (int i = 0; i < 30; ++i)
     driven.step();

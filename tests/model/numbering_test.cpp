@@ -139,14 +139,9 @@ Model random_model(Dice& dice) {
   return model;
 }
 
-Model renumbered(const Model& from, const Numbering& by) {
-  Model to;
-  by.renumber(from.blocks, to.blocks);
-  by.renumber(from.contacts, from.law_states, to.blocks, to.contacts, to.law_states);
-  to.plane_contacts = by.renumbered(from.plane_contacts);
-  to.loads = by.renumbered(from.loads);
-  to.drives = by.renumbered(from.drives);
-  return to;
+Model renumbered(Model model, const Numbering& by) {
+  by.renumber(model);
+  return model;
 }
 
 /// Returns the coordinates of corner and edge of each contact, and its forces.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "dynamics/cracks/pieces.hpp"
@@ -49,6 +50,7 @@ class Motion {
     return stepper_.crack();
   }
   const Model& model() { return stepper_.up_to_date(); }
+  void before_split(std::function<void()> call) { stepper_.before_split = call; }
 
  private:
   dynamics::Workspace work_;
@@ -315,6 +317,19 @@ TEST(Cracks, HaveTheNumbersOfTheDeckInAnyOrderOfTheSteps) {
     EXPECT_EQ(ordered.blocks.first_corner, plain.blocks.first_corner);
     EXPECT_EQ(ordered.order.size(), static_cast<std::size_t>(plain.blocks.size()));
   }
+}
+
+TEST(Cracks, AreAnnouncedWhileTheBlocksHaveTheNumbersOfTheDeck) {
+  Model model = shattering({}, true);
+  for (int b = model.blocks.size() - 1; b >= 0; --b)
+    model.order.push_back(b), model.blocks.layer[static_cast<std::size_t>(b)] = b;
+  Motion motion(model);
+  const std::vector<int> numbered = model.blocks.layer;
+  std::vector<int> announced;
+  motion.before_split([&] { announced = model.blocks.layer; });
+  while (motion.step() == 0) {
+  }
+  EXPECT_EQ(announced, numbered);
 }
 
 TEST(Cracks, StopAtTheNumberOfBlocksThatStartAllows) {
