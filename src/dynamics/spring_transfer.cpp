@@ -180,10 +180,11 @@ class Choice {
   double gain_ = 0.0;                                         ///< [F]
 };
 
-/// Stores the stiffnesses of a successor to whose springs those of `from` were added.
-/// If it begins to act in this step, it takes over the state of the law, too.
-void put_stiffness(ContactArrays& arrays, const Successor& successor,
-                   const ReleasedSpring& from) {
+/// Stores the stiffnesses and the offset of a successor to whose springs those of
+/// `from` were added. If it begins to act in this step, it takes over the state of the
+/// law, too.
+void take_over_state(ContactArrays& arrays, const Successor& successor,
+                     const ReleasedSpring& from) {
   ContactBatches& batches = arrays.batches;
   const int slot = successor.slot;
   if (batches.at(slot, &LawRow::stiffness) == 0.0 &&
@@ -234,7 +235,7 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
       continue;
     // Added springs of contacts that act already are not limited by the overlap.
     if (successor.adds())
-      put_stiffness(arrays, successor, released[i]);
+      take_over_state(arrays, successor, released[i]);
     else
       batches.set(successor.slot, &ContactStates::starts, true);
     batches.at(successor.slot, &SpringRow::normal_elastic) = successor.normal;
