@@ -192,7 +192,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"model", {"model", "text", "geometry"}},
       {"dynamics", {"dynamics", "model", "geometry"}},
       {"audit", {"audit", "model", "geometry"}},
-      {"quantities", {"quantities", "model", "geometry"}},
+      {"quantities", {"quantities", "text", "model", "geometry"}},
       {"output", {"output", "files", "text", "quantities", "model", "geometry"}},
       {"draw", {"draw", "files", "text"}},
       {"post", {"post", "draw", "files", "text", "output", "quantities", "geometry"}},

@@ -7,6 +7,7 @@
 
 #include "quantities/energy.hpp"
 #include "quantities/quantity.hpp"
+#include "text/suggest.hpp"
 
 namespace blocks::quantities {
 
@@ -194,6 +195,15 @@ std::string block_quantity_names() {
     if (kind.contact)
       names += ", " + name;
   return names;
+}
+
+std::string nearest_quantity(std::string_view word,
+                             std::vector<std::string_view> others) {
+  for (const QuantityKind& kind : quantity_kinds())
+    others.push_back(kind.name);
+  for (const auto& [name, kind] : other_kinds())
+    others.push_back(name);
+  return text::suggest(word, others);
 }
 
 }  // namespace blocks::quantities

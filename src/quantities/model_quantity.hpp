@@ -5,6 +5,8 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "quantities/dimension.hpp"
 #include "quantities/state.hpp"
@@ -51,5 +53,10 @@ const OtherKind* find_other(const std::string& name);
 /// Lists the names of the quantities of blocks, with those of contacts reduced to
 /// blocks: the largest overlap, sums of forces.
 std::string block_quantity_names();
+
+/// Returns the name of a quantity, or of `others`, that is nearest to the word
+/// (text/suggest.hpp); empty if none is near.
+std::string nearest_quantity(std::string_view word,
+                             std::vector<std::string_view> others);
 
 }  // namespace blocks::quantities

@@ -360,6 +360,8 @@ TEST_F(Plot, NamesTheChoicesIfAnOptionIsWrong) {
               HasSubstr("there is no quantity 'heat': choose material, family, "
                         "joint, bond, opening, shear_displacement, "
                         "water_pressure, speed, displacement, rotation, x"));
+  EXPECT_THAT(plot("fall.vtkhdf -o a.png --colour speedd").err,
+              HasSubstr("there is no quantity 'speedd'; did you mean speed?"));
   const Outcome time = plot("fall.vtkhdf -o a.png --time 99");
   EXPECT_EQ(time.code, 2);
   EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));

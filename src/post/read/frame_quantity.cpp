@@ -113,10 +113,15 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                       {values.data(), static_cast<std::size_t>(values.size())});
     return {kind->label, kind->dimension, values, Zero::lowest};
   }
+  const std::string near = quantities::nearest_quantity(
+      name, {"material", "family", "joint", "bond", "opening", "shear_displacement",
+             "water_pressure"});
   throw std::runtime_error("there is no quantity '" + name +
-                           "': choose material, family, joint, bond, opening, "
-                           "shear_displacement, water_pressure, " +
-                           quantities::block_quantity_names());
+                           (near.empty()
+                                ? "': choose material, family, joint, bond, opening, "
+                                  "shear_displacement, water_pressure, " +
+                                      quantities::block_quantity_names()
+                                : "'; did you mean " + near + "?"));
 }
 
 }  // namespace blocks::post

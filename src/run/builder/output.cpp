@@ -13,27 +13,16 @@
 #include "run/builder/checks.hpp"
 #include "run/builder/names.hpp"
 #include "run/builder/selectors.hpp"
-#include "text/suggest.hpp"
 
 namespace blocks::run {
 namespace {
 
 using quantities::CurveFault;
 
-/// Returns the nearest name of a quantity, or an empty text.
-std::string nearest_quantity(const std::string& word) {
-  std::vector<std::string_view> names = {"ke"};
-  for (const auto& kind : quantities::quantity_kinds())
-    names.push_back(kind.name);
-  for (const auto& [name, kind] : quantities::other_kinds())
-    names.push_back(name);
-  return text::suggest(word, names);
-}
-
 std::string hint_for(const CurveFault& fault) {
   if (fault.unknown.empty())
     return fault.hint;
-  const std::string near = nearest_quantity(fault.unknown);
+  const std::string near = quantities::nearest_quantity(fault.unknown, {"ke"});
   return near.empty() ? "quantities: " + quantities::block_quantity_names()
                       : "did you mean '" + near + "'?";
 }
