@@ -135,8 +135,13 @@ std::string wall_at_random() {
   std::vector<std::string> bricks;
   for (int row = 0; row < 52; ++row)
     for (int i = 0; i < 80; ++i) {
-      const double x = -8.0 + 0.2 * i, y = 0.15 * row;
-      bricks.push_back(rectangle(x, y, x + 0.2, y + 0.15));
+      const double x = -8.0 + 0.2 * i, y = 0.15 * row, right = x + 0.2, top = y + 0.15;
+      bricks.push_back(
+          i % 3 != 0 ? rectangle(x, y, right, top)
+                     : fmt::format("CREATE, 5, 1\n{}, {}, {}, {}, {}\n{}, {}, {}, "
+                                   "{}, {}\n",
+                                   x, x, right - 0.02, right, right, y, top, top,
+                                   top - 0.02, y));
     }
   std::mt19937 random(1);
   for (std::size_t i = bricks.size(); i > 1; --i)

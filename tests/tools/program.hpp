@@ -71,9 +71,9 @@ std::string preliminary(const std::string& more = "RIGID\n");
 std::string rectangle(double left, double bottom, double right, double top,
                       bool fixed = false);
 
-/// Returns the deck of a wall of 4160 bricks on a fixed floor, block 1. The bricks are
-/// numbered at random, so that the run uses an internal order. Block 4162 is a free
-/// brick in the air, left of the wall.
+/// Returns the deck of a wall of 4160 bricks on a fixed floor, block 1. Every third
+/// column has bricks of five corners. The bricks are numbered at random, so that the
+/// run uses an internal order. Block 4162 is a free brick in the air, left of the wall.
 std::string wall_at_random();
 
 }  // namespace blocks::testing

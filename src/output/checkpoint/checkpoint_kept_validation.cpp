@@ -5,8 +5,9 @@
 namespace blocks::output {
 namespace {
 
-/// Expects depths below sides that exist.
-void expect_depths(const std::vector<KeptDepth>& depths, const Blocks& blocks) {
+/// Expects depths below sides that exist. Their blocks have the numbers of the steps.
+void expect_depths(const Model& model) {
+  const Blocks& blocks = model.blocks;
   std::vector<std::vector<int>> parts(static_cast<std::size_t>(blocks.size()));
   for (int b = 0; b < blocks.size(); ++b)
     if (blocks.convex[b])
@@ -14,11 +15,20 @@ void expect_depths(const std::vector<KeptDepth>& depths, const Blocks& blocks) {
   blocks.each_cut([&](int b, const auto& corners) {
     parts[b].push_back(static_cast<int>(corners.size()));
   });
-  for (const KeptDepth& depth : depths) {
-    const std::vector<int>& own = parts[depth.own_block];
+  const auto parts_of = [&](const char* name, int b) -> const std::vector<int>& {
+    if (!model.order.empty()) {
+      expect_index(name, b, std::ssize(model.order));
+      b = model.order[b];
+      expect_index("order", b, blocks.size());
+    }
+    return parts[b];
+  };
+  for (const KeptDepth& depth : model.kept.depths) {
+    const std::vector<int>& own = parts_of("kept/depths/own_block", depth.own_block);
+    const std::vector<int>& other =
+        parts_of("kept/depths/other_block", depth.other_block);
     expect_index("kept/depths/own_part", depth.own_part, std::ssize(own));
-    expect_index("kept/depths/other_part", depth.other_part,
-                 std::ssize(parts[depth.other_block]));
+    expect_index("kept/depths/other_part", depth.other_part, std::ssize(other));
     expect_index("kept/depths/side", depth.side, own[depth.own_part]);
   }
 }
@@ -41,7 +51,7 @@ void expect_kept(const Model& model) {
   expect_rows("kept/contacts", kept.contacts, contacts);
   expect_rows("kept/poses", kept.poses, poses);
   expect_rows("kept/depths", kept.depths, depths);
-  expect_depths(kept.depths, model.blocks);
+  expect_depths(model);
   for (const KeptContact& contact : kept.contacts)
     if (contact.corner == contact.edge)
       reject_checkpoint("kept/contacts has a corner on its own edge");

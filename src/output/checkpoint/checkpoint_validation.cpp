@@ -230,10 +230,10 @@ void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_cracks(model);
   expect_time(model);
   expect_order(model);
-  expect_kept(model);
   expect_energy(model.energy);
   expect_progress(info);
   expect_all_move(model, info.progress);
+  expect_kept(model);
 }
 
 }  // namespace blocks::output
