@@ -63,7 +63,7 @@ TEST(Simulation, GivesTheBitsOfTheProgram) {
 TEST(Simulation, GivesTheBitsOfTheProgramInAnInternalOrder) {
   const TemporaryFolder folder;
   const std::string deck =
-      wall_at_random() + "CYCLE, 30\nSETVEL, 77, 0, 1\nCYCLE, 20\n";
+      wall_at_random() + "CYCLE, 12\nSETVEL, 77, 0, 1\nCYCLE, 8\n";
   folder.write("whole.deck", deck);
   ASSERT_EQ(blocks("run whole.deck -j 1", folder.path()).code, 0);
   const std::vector<double> expected =
@@ -71,15 +71,15 @@ TEST(Simulation, GivesTheBitsOfTheProgramInAnInternalOrder) {
 
   EXPECT_EQ(corners(Simulation(deck)), expected);
   Simulation driven(wall_at_random());
-  for (int i = 0; i < 30; ++i)
+  for (int i = 0; i < 12; ++i)
     driven.step();
   driven.write_checkpoint(folder / "mid.ckpt.h5");
   driven.set_velocity(77, {1.0, 0.0});
-  driven.step(20);
+  driven.step(8);
   EXPECT_EQ(corners(driven), expected);
 
   Simulation restarted("RESTART, " + (folder / "mid.ckpt.h5").string());
-  restarted.cards("SETVEL, 77, 0, 1\nCYCLE, 20");
+  restarted.cards("SETVEL, 77, 0, 1\nCYCLE, 8");
   EXPECT_EQ(corners(restarted), expected);
 }
 

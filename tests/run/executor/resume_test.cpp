@@ -142,11 +142,11 @@ TEST(Resumed, DeckWithHistoriesHasTheSameBits) {
 TEST(Resumed, WallNumberedAtRandomHasTheSameBits) {
   const TemporaryFolder folder;
   folder.write("wall.deck", wall_at_random() +
-                                "PLOTS, 0.003\nOUTPUT, 0.003, 2, 4162\nCYCLE, 40\n"
+                                "PLOTS, 0.001\nOUTPUT, 0.001, 2, 4162\nCYCLE, 15\n"
                                 "SETVEL, 4162, 0, 0, -400\n" +
-                                rectangle(8.5, 1, 9, 1.5) + "CYCLE, 40\n");
+                                rectangle(8.5, 1, 9, 1.5) + "CYCLE, 15\n");
   expect_resumable(folder / "wall.deck", "", 2);
-  const Outcome run = blocks("run wall.deck --audit=40", folder.path());
+  const Outcome run = blocks("run wall.deck --audit=15", folder.path());
   EXPECT_THAT(run.err, HasSubstr("blocks are renumbered internally"));
   EXPECT_THAT(run.err, HasSubstr("block 4162 moved a corner by"));
   EXPECT_EQ(summary(folder, "wall")["audit"]["faults"], nlohmann::json::array());
