@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <stdexcept>
 
 #include "dynamics/cracks/cracking.hpp"
 #include "dynamics/kept_state.hpp"
@@ -19,6 +20,13 @@ void print_pieces(Model& model, int cracks) {
 }
 
 }  // namespace
+
+void Stepper::changed() {
+  if (is_in_order_)
+    throw std::logic_error("a model was changed that is not up to date");
+  inwards_ = {};
+  work_.springs.list_changed();
+}
 
 StepResult Stepper::advance(bool readings, double alarm) {
   enter_order();

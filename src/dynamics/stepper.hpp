@@ -2,7 +2,6 @@
 // see the deck's numbers only.
 #pragma once
 
-#include <cassert>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -21,12 +20,9 @@ class Stepper {
 
   /// To be called after the model has been changed from outside. The model must have
   /// been up to date before the change. If blocks have changed, Model::kept must be
-  /// emptied too, as prepare() does.
-  void changed() {
-    assert(!is_in_order_);
-    inwards_ = {};
-    work_.springs.list_changed();
-  }
+  /// emptied too, as prepare() does. Throws std::logic_error if the model is still in
+  /// the order of the steps.
+  void changed();
   /// To be called after velocities, spins or loads have been changed from outside. The
   /// model must have been up to date before the change. As after a card, the next step
   /// makes all decisions again that are kept although they may change.
@@ -34,8 +30,8 @@ class Stepper {
     work_.decisions.expire_exact();
     model_.kept = {};
   }
-  /// Calls dynamics::advance. Blocks, contacts, loads, drives and servos of the model
-  /// must not be read or changed before up_to_date().
+  /// Calls dynamics::advance. Blocks, contacts with blocks and planes, loads, drives
+  /// and servos of the model must not be read or changed before up_to_date().
   StepResult advance(bool readings,
                      double alarm = std::numeric_limits<double>::infinity());
   /// Splits the blocks whose strength the last step has reached
