@@ -4,11 +4,12 @@
 
 #include "audit/held_contacts.hpp"
 #include "audit/make_exact_rule.hpp"
+#include "model/numbering.hpp"
 
 namespace blocks::audit {
 KeptPairs::KeptPairs(const Moment& moment)
     : blocks_(moment.blocks), order_(moment.order) {
-  const auto outside = [&](int b) { return order_.empty() ? b : order_[b]; };
+  const auto outside = [&](int b) { return number_in_deck(order_, b); };
   auto pose = moment.kept.poses.begin();
   for (const KeptPair& pair : moment.kept.pairs) {
     std::vector<KeptPose> poses(pose, pose + pair.poses);

@@ -34,11 +34,11 @@ StepResult Stepper::advance(bool readings, double alarm) {
   StepResult moved = dynamics::advance(
       model_, work_, readings || needs_contact_forces(model_.settings), alarm);
   if (moved.block >= 0)
-    moved.block = number_of(moved.block);
+    moved.block = number_in_deck(model_.order, moved.block);
   // All new exits have the same time, so they are sorted by block.
   const auto exits = std::span(model_.exits).subspan(exits_before);
   for (DomainExit& exit : exits)
-    exit.block = number_of(exit.block);
+    exit.block = number_in_deck(model_.order, exit.block);
   std::ranges::sort(exits, {}, &DomainExit::block);
   return moved;
 }
@@ -100,12 +100,10 @@ const Model& Stepper::complete() {
 }
 
 std::vector<std::pair<int, int>> Stepper::listed_pairs() const {
-  const auto outside = [&](int b) {
-    return model_.order.empty() ? b : model_.order[b];
-  };
   std::vector<std::pair<int, int>> listed;
   for (const NearPair& pair : work_.index.pairs)
-    listed.push_back(std::minmax({outside(pair.low), outside(pair.high)}));
+    listed.push_back(std::minmax({number_in_deck(model_.order, pair.low),
+                                  number_in_deck(model_.order, pair.high)}));
   std::sort(listed.begin(), listed.end());
   return listed;
 }

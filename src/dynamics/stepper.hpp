@@ -56,8 +56,6 @@ class Stepper {
   std::vector<std::pair<int, int>> listed_pairs() const;
 
  private:
-  /// Returns the deck's number of a block that is in the order.
-  int number_of(int b) const { return is_in_order_ ? model_.order[b] : b; }
   /// Puts the blocks into the order, if the model has one.
   void enter_order();
   /// Gives the blocks the deck's numbers.

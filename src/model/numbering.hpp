@@ -2,6 +2,7 @@
 // about. Output is unaffected. Independent of the time loop.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "model/model.hpp"
@@ -23,6 +24,12 @@ std::vector<int> strip_order(const Blocks& blocks);
 /// 16 if about a thousand blocks side by side are numbered at random.
 std::vector<int> order_if_worthwhile(const Blocks& blocks,
                                      int min = min_worth_numbering);
+
+/// Returns the deck's number of block b of an order (Model::order). An empty order is
+/// that of the numbers.
+inline int number_in_deck(const std::vector<int>& order, int b) {
+  return order.empty() ? b : order[static_cast<std::size_t>(b)];
+}
 
 /// Old and new numbers of the same items.
 struct NewNumbers {

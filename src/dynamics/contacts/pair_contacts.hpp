@@ -62,8 +62,10 @@ struct ContactsOfPairs {
   }
   /// Adds all contacts of another list.
   void append(ContactsOfPairs&& other) {
-    if (pair.empty())
-      return void(*this = std::move(other));
+    if (pair.empty()) {
+      *this = std::move(other);
+      return;
+    }
     const int before = static_cast<int>(all.size());
     const auto copy = [](const auto& from, auto& to) {
       to.insert(to.end(), from.begin(), from.end());

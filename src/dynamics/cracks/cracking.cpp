@@ -15,6 +15,7 @@
 #include "dynamics/energy/energy.hpp"
 #include "dynamics/preparation/time_step.hpp"
 #include "dynamics/step.hpp"
+#include "model/numbering.hpp"
 #include "model/splitting.hpp"
 
 namespace blocks::dynamics {
@@ -138,7 +139,7 @@ class Cracking {
   }
 
  private:
-  int number(int b) const { return numbers_.empty() ? b : numbers_[b]; }
+  int number(int b) const { return number_in_deck(numbers_, b); }
 
   bool refuse(int b, CrackRefusal why) {
     refuse_crack(model_.crack_refusals, {number(b), why});

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "model/numbering.hpp"
 #include "output/checkpoint/checkpoint_expectations.hpp"
 
 namespace blocks::output {
@@ -16,12 +17,11 @@ void expect_depths(const Model& model) {
     parts[b].push_back(static_cast<int>(corners.size()));
   });
   const auto parts_of = [&](const char* name, int b) -> const std::vector<int>& {
-    if (!model.order.empty()) {
+    if (!model.order.empty())
       expect_index(name, b, std::ssize(model.order));
-      b = model.order[b];
-      expect_index("order", b, blocks.size());
-    }
-    return parts[b];
+    const int block = number_in_deck(model.order, b);
+    expect_index("order", block, blocks.size());
+    return parts[block];
   };
   for (const KeptDepth& depth : model.kept.depths) {
     const std::vector<int>& own = parts_of("kept/depths/own_block", depth.own_block);
